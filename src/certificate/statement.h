@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later OR BSL-1.0
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+// What a claim says, as plain data: formulas as a straight-line program, and a
+// combination of obligations about them. Computed from the claim alone.
+namespace seam::certificate {
+
+/// The index of a node in `Statement::nodes` (or, past its end, in `Evidence::nodes`).
+using Term = int;
+
+/// One step of a straight-line program; operands are earlier nodes.
+struct Node {
+  enum class Kind { constant, symbol, sum, product, power };
+  Kind kind = Kind::constant;
+  std::string text;            ///< constant: `-3/4`, in lowest terms; symbol: its name
+  std::vector<Term> operands;  ///< sum, product: any number; power: the base alone
+  int exponent = 0;            ///< power: >= 0
+
+  bool operator==(const Node&) const = default;
+};
+
+/// A real algebraic number: the one root, within [low, high], of a polynomial in
+/// the symbol `name` whose coefficients are formulas in earlier generators.
+/// `low` and `high` are rationals. Uniqueness is for the checker to verify.
+struct Generator {
+  std::string name;
+  Term polynomial = 0;
+  std::string low, high;
+
+  bool operator==(const Generator&) const = default;
+};
+
+/// f > 0, f >= 0, f = 0, f != 0, f <= 0, f < 0.
+enum class Relation { positive, nonnegative, zero, nonzero, nonpositive, negative };
+
+/// A simplex in the space of `variables` (k of them): k + 1 corners, each in
+/// homogeneous coordinates (weight, x1, ..., xk) with weight >= 0 (0: a point at
+/// infinity), constant formulas. The set is
+///     { (sum l_i x_i) / (sum l_i w_i) : l_i >= 0, sum l_i w_i > 0 },
+/// less the facets l_i = 0 with `open[i]`. The corners must be independent.
+/// A corner of weight 0 needs no mark: it is never a point of the set.
+struct Simplex {
+  std::vector<std::string> variables;
+  std::vector<std::vector<Term>> corners;
+  std::vector<bool> open;
+
+  bool operator==(const Simplex&) const = default;
+};
+
+/// A condition `formula relation 0` that the points of a domain meet.
+struct Constraint {
+  Term formula = 0;
+  Relation relation = Relation::nonnegative;
+
+  bool operator==(const Constraint&) const = default;
+};
+
+/// A product of simplices, in variables all different, cut by constraints.
+/// No factor: one point.
+struct Domain {
+  std::vector<Simplex> factors;
+  std::vector<Constraint> where;
+
+  bool operator==(const Domain&) const = default;
+};
+
+/// The formula is 0 identically, as a polynomial in all the variables it holds.
+struct Zero {
+  Term formula = 0;
+
+  bool operator==(const Zero&) const = default;
+};
+
+/// `formula relation 0` at every point of the domain. Each variable of the formula
+/// and of the constraints belongs to a factor. With no factor: a statement about
+/// one real number.
+struct Sign {
+  Term formula = 0;
+  Relation relation = Relation::positive;
+  Domain domain;
+
+  bool operator==(const Sign&) const = default;
+};
+
+/// A solution as it is claimed: an exact number, or "one, within [low, high]".
+struct Solution {
+  Term value = -1;        ///< -1: not given exactly
+  std::string low, high;  ///< rationals, low < high; used when `value` is -1
+
+  bool operator==(const Solution&) const = default;
+};
+
+/// Those x in the domain for which every formula of `system` vanishes for all real
+/// values of the variables `for_all` are exactly `solutions`, all different.
+/// `domain` is one simplex in the one variable `unknown`.
+struct Solutions {
+  std::vector<Term> system;
+  std::string unknown;
+  std::vector<std::string> for_all;
+  Simplex domain;
+  std::vector<Solution> solutions;  ///< exact ones, or intervals that do not overlap, ascending
+
+  bool operator==(const Solutions&) const = default;
+};
+
+/// Patches glued along sides. Patch i is a disc whose corners are numbered from 0 to
+/// its count less 1 and whose side s runs from corner `from` to corner `to`.
+/// Says: every side lies on exactly one seam, the whole is connected, and
+/// V - E + F = `euler`, V counting the corners after gluing.
+struct Gluing {
+  struct Side {
+    int from = 0, to = 0;
+    bool operator==(const Side&) const = default;
+  };
+  struct Seam {
+    int patch = 0, side = 0, other_patch = 0, other_side = 0;
+    bool reversed = false;  ///< the start of one side meets the end of the other
+    bool operator==(const Seam&) const = default;
+  };
+  std::vector<std::vector<Side>> patches;
+  std::vector<Seam> seams;
+  int euler = 2;
+
+  bool operator==(const Gluing&) const = default;
+};
+
+/// These tuples of numbers, all of one length, are pairwise different.
+struct Distinct {
+  std::vector<std::vector<Term>> tuples;
+
+  bool operator==(const Distinct&) const = default;
+};
+
+using Obligation = std::variant<Zero, Sign, Solutions, Gluing, Distinct>;
+
+/// A combination of obligations. `all` of nothing holds; `any` of nothing fails.
+struct Goal {
+  enum class Kind { all, any, negation, obligation };
+  Kind kind = Kind::all;
+  std::vector<Goal> parts;  ///< all, any: any number; negation: one
+  int obligation = -1;      ///< index in `Statement::obligations`
+
+  bool operator==(const Goal&) const = default;
+};
+
+/// What one claim says. It holds when every guard holds and the goal is true; it
+/// fails when every guard holds and the goal is false. Guards say that the formulas
+/// mean something: divisors that do not vanish, radicands that are not negative,
+/// numbers that are the root they are named for.
+struct Statement {
+  std::vector<Generator> generators;  ///< each in terms of those before it
+  std::vector<Node> nodes;
+  std::vector<Obligation> obligations;
+  std::vector<int> guards;  ///< indices in `obligations`
+  Goal goal;
+
+  bool operator==(const Statement&) const = default;
+};
+
+}  // namespace seam::certificate

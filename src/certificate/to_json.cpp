@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-3.0-or-later OR BSL-1.0
+#include "certificate/to_json.h"
+
+#include <stdexcept>
+
+#include "certificate/json.h"
+
+// An object with one member, {"kind": ...}, for one of several kinds. Members stand in the
+// order of the declarations in statement.h and evidence.h.
+
+namespace seam::certificate {
+namespace {
+
+template <typename T>
+Json list(const std::vector<T>& entries);
+
+Json to_json(int number) {
+  return number;
+}
+Json to_json(bool truth) {
+  return truth;
+}
+Json to_json(const std::string& text) {
+  return text;
+}
+
+template <typename T>
+Json to_json(const std::vector<T>& entries) {
+  return list(entries);
+}
+
+Json to_json(const Node& node) {
+  switch (node.kind) {
+    case Node::Kind::constant:
+      return node.text;
+    case Node::Kind::symbol:
+      return {{"symbol", node.text}};
+    case Node::Kind::sum:
+      return {{"sum", list(node.operands)}};
+    case Node::Kind::product:
+      return {{"product", list(node.operands)}};
+    case Node::Kind::power:
+      return {{"power", list(std::vector{node.operands.at(0), node.exponent})}};
+  }
+  throw FormatError("a node of no kind");
+}
+
+Json to_json(const Generator& generator) {
+  return {{"name", generator.name},
+          {"polynomial", generator.polynomial},
+          {"low", generator.low},
+          {"high", generator.high}};
+}
+
+Json to_json(const Simplex& simplex) {
+  return {{"variables", list(simplex.variables)},
+          {"corners", list(simplex.corners)},
+          {"open", list(simplex.open)}};
+}
+
+Json to_json(const Constraint& constraint) {
+  return {{"formula", constraint.formula}, {"relation", spelling(constraint.relation)}};
+}
+
+Json to_json(const Solution& solution) {
+  if (solution.value >= 0) return solution.value;
+  return {{"low", solution.low}, {"high", solution.high}};
+}
+
+Json to_json(const Gluing::Side& side) {
+  return Json::array({side.from, side.to});
+}
+
+Json to_json(const Gluing::Seam& seam) {
+  return {{"patch", seam.patch},
+          {"side", seam.side},
+          {"other_patch", seam.other_patch},
+          {"other_side", seam.other_side},
+          {"reversed", seam.reversed}};
+}
+
+Json to_json(const Zero& zero) {
+  return {{"zero", zero.formula}};
+}
+
+Json to_json(const Sign& sign) {
+  return {{"sign",
+           {{"formula", sign.formula},
+            {"relation", spelling(sign.relation)},
+            {"factors", list(sign.domain.factors)},
+            {"where", list(sign.domain.where)}}}};
+}
+
+Json to_json(const Solutions& solutions) {
+  return {{"solutions",
+           {{"system", list(solutions.system)},
+            {"unknown", solutions.unknown},
+            {"for_all", list(solutions.for_all)},
+            {"domain", to_json(solutions.domain)},
+            {"solutions", list(solutions.solutions)}}}};
+}
+
+Json to_json(const Gluing& gluing) {
+  return {{"gluing",
+           {{"patches", list(gluing.patches)},
+            {"seams", list(gluing.seams)},
+            {"euler", gluing.euler}}}};
+}
+
+Json to_json(const Distinct& distinct) {
+  return {{"distinct", list(distinct.tuples)}};
+}
+
+Json to_json(const Goal& goal) {
+  switch (goal.kind) {
+    case Goal::Kind::all:
+      return {{"all", list(goal.parts)}};
+    case Goal::Kind::any:
+      return {{"any", list(goal.parts)}};
+    case Goal::Kind::negation:
+      return {{"not", to_json(goal.parts.at(0))}};
+    case Goal::Kind::obligation:
+      return goal.obligation;
+  }
+  throw FormatError("a goal of no kind");
+}
+
+Json to_json(const Nothing& nothing) {
+  return {{"nothing", {{"reason", nothing.reason}, {"detail", nothing.detail}}}};
+}
+
+Json to_json(const Computation&) {
+  return "computation";
+}
+
+Json to_json(const Step& step) {
+  switch (step.kind) {
+    case Step::Kind::plain:
+      return "plain";
+    case Step::Kind::outside:
+      return {{"outside", step.index}};
+    case Step::Kind::split:
+      return {{"split", step.index}, {"at", list(step.weights)}};
+  }
+  throw FormatError("a step of no kind");
+}
+
+Json members(const Pieces& pieces) {
+  Json value = {{"side", spelling(pieces.side)}};
+  if (pieces.square != -1 || pieces.cofactor != -1) {
+    value["square"] = pieces.square;
+    value["cofactor"] = pieces.cofactor;
+  }
+  value["steps"] = list(pieces.steps);
+  return value;
+}
+
+Json to_json(const Pieces& pieces) {
+  return {{"pieces", members(pieces)}};
+}
+
+Json to_json(const Point& point) {
+  return {{"variables", list(point.variables)}, {"values", list(point.values)}};
+}
+
+Json to_json(const Witness& witness) {
+  return {{"witness", {{"point", to_json(witness.point)}, {"other", list(witness.other)}}}};
+}
+
+Json to_json(const Roots& roots) {
+  return {{"roots",
+           {{"divisor", roots.divisor},
+            {"cofactors", list(roots.cofactors)},
+            {"quotients", list(roots.quotients)},
+            {"multiplicities", list(roots.multiplicities)},
+            {"rest", roots.rest},
+            {"inside", list(roots.inside)},
+            {"outside", list(roots.outside)}}}};
+}
+
+Json to_json(const WrongSolution& wrong) {
+  return {{"wrong_solution", {{"value", wrong.value}, {"claimed", wrong.claimed}}}};
+}
+
+template <typename... Kinds>
+Json to_json(const std::variant<Kinds...>& value) {
+  return std::visit([](const auto& kind) { return to_json(kind); }, value);
+}
+
+template <typename T>
+Json list(const std::vector<T>& entries) {
+  Json values = Json::array();
+  for (const T& entry : entries) values.push_back(to_json(entry));
+  return values;
+}
+
+Json to_json(const Evidence& evidence) {
+  return {{"generators", list(evidence.generators)},
+          {"nodes", list(evidence.nodes)},
+          {"proofs", list(evidence.proofs)}};
+}
+
+}  // namespace
+
+const char* spelling(Relation relation) {
+  switch (relation) {
+    case Relation::positive:
+      return ">";
+    case Relation::nonnegative:
+      return ">=";
+    case Relation::zero:
+      return "=";
+    case Relation::nonzero:
+      return "!=";
+    case Relation::nonpositive:
+      return "<=";
+    case Relation::negative:
+      return "<";
+  }
+  throw FormatError("a relation of no kind");
+}
+
+const char* spelling(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::proven:
+      return "proven";
+    case Verdict::refuted:
+      return "refuted";
+    case Verdict::conditional:
+      return "conditional";
+    case Verdict::undecided:
+      return "undecided";
+  }
+  throw FormatError("a verdict of no kind");
+}
+
+Json to_json(const Statement& statement) {
+  return {{"generators", list(statement.generators)},
+          {"nodes", list(statement.nodes)},
+          {"obligations", list(statement.obligations)},
+          {"guards", list(statement.guards)},
+          {"goal", to_json(statement.goal)}};
+}
+
+Json to_json(const Certificate& certificate) {
+  return {
+      {"format", "seamproof certificate 1"},      {"claim", certificate.claim},
+      {"correction", certificate.correction},     {"verdict", spelling(certificate.verdict)},
+      {"using", list(certificate.using_claims)},  {"statement", to_json(certificate.statement)},
+      {"evidence", to_json(certificate.evidence)}};
+}
+
+}  // namespace seam::certificate

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later OR BSL-1.0
+#include "check/context.h"
+
+#include <algorithm>
+#include <utility>
+
+// A name means one thing throughout. Evidence could otherwise turn a variable of the
+// statement into a number of its own choice.
+
+namespace seam::check {
+namespace {
+
+using certificate::Evidence;
+using certificate::Generator;
+using certificate::Node;
+using certificate::Statement;
+using certificate::Term;
+
+std::vector<std::string> declared_variables(const Statement& statement) {
+  std::vector<std::string> names;
+  const auto append = [&names](const std::vector<std::string>& more) {
+    names.insert(names.end(), more.begin(), more.end());
+  };
+  for (const auto& obligation : statement.obligations) {
+    if (const auto* sign = std::get_if<certificate::Sign>(&obligation))
+      for (const auto& factor : sign->domain.factors) append(factor.variables);
+    if (const auto* solutions = std::get_if<certificate::Solutions>(&obligation)) {
+      append(solutions->domain.variables);
+      append(solutions->for_all);
+      append({solutions->unknown});
+    }
+  }
+  return names;
+}
+
+}  // namespace
+
+Context::Context(const Statement& statement, const Evidence& evidence, Meter& meter)
+    : statement_(&statement),
+      evidence_(&evidence),
+      meter_(&meter),
+      ring_(meter),
+      tower_(ring_),
+      known_(statement.nodes.size() + evidence.nodes.size()) {
+  name_symbols();
+  accept_generators();
+}
+
+void Context::name_symbols() {
+  const auto add = [this](const std::string& name) {
+    meter_->charge(name.size());
+    return symbols_.emplace(name, static_cast<int>(symbols_.size())).second;
+  };
+  const auto add_generator = [&](const Generator& generator) {
+    demand(add(generator.name), "degenerate: two numbers have one name");
+  };
+  std::ranges::for_each(statement_->generators, add_generator);
+  const int stated = static_cast<int>(symbols_.size());
+  std::ranges::for_each(evidence_->generators, add_generator);
+  generators_ = static_cast<int>(symbols_.size());
+
+  const auto add_variable = [&](const std::string& name, int below) {
+    add(name);
+    const int index = symbols_.at(name);
+    demand(index < below || index >= generators_,
+           "degenerate: a number has the name of a variable");
+  };
+  for (const std::string& name : declared_variables(*statement_)) add_variable(name, 0);
+  for (const Node& node : statement_->nodes)
+    if (node.kind == Node::Kind::symbol) add_variable(node.text, stated);
+  for (const Node& node : evidence_->nodes)
+    if (node.kind == Node::Kind::symbol) add_variable(node.text, generators_);
+}
+
+void Context::accept_generators() {
+  for (const auto* generators : {&statement_->generators, &evidence_->generators})
+    for (const Generator& generator : *generators)
+      tower_.extend(value(generator.polynomial), rational(generator.low),
+                    rational(generator.high));
+}
+
+const Node& Context::node(Term term) const {
+  const auto index = static_cast<std::size_t>(term);
+  const auto& stated = statement_->nodes;
+  return index < stated.size() ? stated[index] : evidence_->nodes[index - stated.size()];
+}
+
+Polynomial Context::evaluated(const Node& node) {
+  const auto operand = [this](Term term) -> const Polynomial& {
+    return *known_[static_cast<std::size_t>(term)];
+  };
+  switch (node.kind) {
+    case Node::Kind::constant:
+      return rational(node.text);
+    case Node::Kind::symbol:
+      return symbol(symbols_.at(node.text));
+    case Node::Kind::sum: {
+      Polynomial total;
+      for (const Term term : node.operands) add(total, operand(term), *meter_);
+      return total;
+    }
+    case Node::Kind::product: {
+      Polynomial total = constant(1);
+      for (const Term term : node.operands) total = ring_.product(total, operand(term));
+      return total;
+    }
+    case Node::Kind::power:
+      return ring_.power(operand(node.operands.front()), node.exponent);
+  }
+  throw Open("malformed: an unknown kind of node");
+}
+
+// Operands are earlier nodes: one pass down finds what is needed, one up computes it.
+Polynomial Context::value(Term term) {
+  if (known_words_ > Meter::max_words) {
+    known_.assign(known_.size(), std::nullopt);
+    known_words_ = 0;
+  }
+  std::vector<bool> needed(static_cast<std::size_t>(term) + 1);
+  needed.back() = true;
+  for (Term i = term; i >= 0; --i) {
+    meter_->charge(1);
+    if (needed[static_cast<std::size_t>(i)] && !known_[static_cast<std::size_t>(i)])
+      for (const Term operand : node(i).operands) {
+        meter_->charge(1);
+        needed[static_cast<std::size_t>(operand)] = true;
+      }
+  }
+  for (Term i = 0; i <= term; ++i) {
+    auto& known = known_[static_cast<std::size_t>(i)];
+    if (!needed[static_cast<std::size_t>(i)] || known) continue;
+    Polynomial result = evaluated(node(i));
+    demand((known_words_ += words(result)) <= 2 * Meter::max_words, "effort");
+    known = std::move(result);
+  }
+  return ring_.reduce(*known_[static_cast<std::size_t>(term)]);
+}
+
+Polynomial Context::number(Term term) {
+  Polynomial result = value(term);
+  demand(depends_only_on(result, {}), "degenerate: a variable where a number is needed");
+  return result;
+}
+
+int Context::variable(const std::string& name) const {
+  const auto found = symbols_.find(name);
+  demand(found != symbols_.end() && found->second >= generators_,
+         "degenerate: an unknown variable");
+  return found->second;
+}
+
+std::set<int> Context::variables(const std::vector<std::string>& names) const {
+  std::set<int> result;
+  for (const std::string& name : names)
+    demand(result.insert(variable(name)).second, "degenerate: a variable is named twice");
+  return result;
+}
+
+bool Context::depends_only_on(const Polynomial& p, const std::set<int>& variables) const {
+  return std::ranges::all_of(p.terms, [&](const auto& term) {
+    const Monomial& monomial = term.first;
+    for (int i = generators_; i < std::ssize(monomial); ++i)
+      if (exponent(monomial, i) > 0 && !variables.contains(i)) return false;
+    return true;
+  });
+}
+
+}  // namespace seam::check

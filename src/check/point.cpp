@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later OR BSL-1.0
+#include "check/point.h"
+
+#include "check/relation.h"
+
+namespace seam::check {
+
+Point read_point(Context& context, const certificate::Point& named) {
+  Point point;
+  for (std::size_t i = 0; i < named.variables.size(); ++i)
+    demand(point.emplace(context.variable(named.variables[i]), context.number(named.values[i]))
+               .second,
+           "a point has two values for one variable");
+  return point;
+}
+
+Polynomial value_at(Context& context, Polynomial formula, const Point& point) {
+  for (const auto& [variable, value] : point)
+    formula = context.ring().substitute(formula, variable, value);
+  demand(context.depends_only_on(formula, {}), "a point lacks a value for a variable");
+  return formula;
+}
+
+void demand_inside(Context& context, const Region& region, const Point& point) {
+  for (const Factor& factor : region.factors) {
+    Coordinates values;
+    for (const int variable : factor.variables) {
+      demand(point.contains(variable), "a point lacks a value for a variable");
+      values.push_back(point.at(variable));
+    }
+    demand(contains(context, factor, values), "a point lies outside the domain");
+  }
+  for (const auto& [formula, relation] : region.where)
+    demand(holds(relation, context.tower().sign(value_at(context, formula, point))),
+           "a point breaks a condition of the domain");
+}
+
+}  // namespace seam::check

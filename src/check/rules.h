@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later OR BSL-1.0
+#pragma once
+
+#include "check/context.h"
+#include "check/region.h"
+
+// One function a kind of obligation. Each returns true if the proof shows that the
+// obligation holds, false if it shows that it fails, and throws `Open` if it shows neither.
+namespace seam::check {
+
+bool decide(Context&, const certificate::Zero&, const certificate::Proof&);
+bool decide(Context&, const certificate::Sign&, const certificate::Proof&);
+bool decide(Context&, const certificate::Solutions&, const certificate::Proof&);
+bool decide(Context&, const certificate::Gluing&, const certificate::Proof&);
+bool decide(Context&, const certificate::Distinct&, const certificate::Proof&);
+
+/// Returns only if the pieces prove `formula relation 0` on the region; else throws `Open`.
+void verify(Context&, const Region&, const Polynomial& formula, certificate::Relation,
+            const certificate::Pieces&);
+
+}  // namespace seam::check

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later OR BSL-1.0
+#include "check/tower.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+// Why an accepted generator is one number.
+//
+//   The polynomial f has strict and opposite signs at low and high: there is a root in
+//   [low, high]. `isolate` cuts an interval around [low, high] and keeps the parts on
+//   which f may vanish, so that all roots lie in their hull; and it answers with the
+//   hull only when f' vanishes nowhere on it: there is at most one.
+//
+// Why enclosures may be refined by Newton's step.
+//
+//   For the root r and any m in X, f(m) = f'(s) (m - r) for some s in X, so r lies in
+//   m - f(m) / f'(X) if f'(X) does not hold 0.
+//
+// Why it ends. Each round of `isolate` halves the widest part, down to one unit; each
+// step of Newton halves the width or is the last; there are four precisions.
+
+namespace seam::check {
+namespace {
+
+constexpr std::array<int, 4> precisions = {64, 256, 1024, 4096};
+constexpr std::size_t most_parts = 1024;
+
+using Coefficients = std::map<int, Interval>;
+
+// Of a product of intervals: four products, each of so many limbs squared.
+std::size_t price(int bits) {
+  const auto limbs = static_cast<std::size_t>(bits) / 64;
+  return 4 * limbs * limbs;
+}
+
+Coefficients derivative(const Coefficients& polynomial) {
+  Coefficients result;
+  for (const auto& [e, coefficient] : polynomial)
+    if (e > 0) result.emplace(e - 1, scaled(coefficient, e));
+  return result;
+}
+
+// [low, high], rounded outward.
+Interval around(const Polynomial& low, const Polynomial& high, int bits) {
+  const auto numerator = [](const Polynomial& p) {
+    return p.is_zero() ? Integer(0) : p.terms.begin()->second;
+  };
+  return {floor_quotient(numerator(low) << bits, low.denominator),
+          ceiling_quotient(numerator(high) << bits, high.denominator)};
+}
+
+std::vector<Interval> halves(const std::vector<Interval>& parts) {
+  std::vector<Interval> result;
+  for (const Interval& part : parts) {
+    const Integer middle = part.low + part.width() / 2;
+    result.push_back({part.low, middle});
+    result.push_back({middle, part.high});
+  }
+  return result;
+}
+
+}  // namespace
+
+void Tower::extend(const Polynomial& polynomial, const Polynomial& low,
+                   const Polynomial& high) {
+  const int index = size();
+  demand(polynomial.is_within(index + 1), "degenerate: a number is defined by a later one");
+  const Polynomial reduced = ring_->reduce(polynomial);
+  demand(sign(ring_->difference(high, low)) > 0, "degenerate: an interval is empty");
+  const int at_low = sign(ring_->substitute(reduced, index, low));
+  const int at_high = sign(ring_->substitute(reduced, index, high));
+  demand(at_low * at_high < 0, "degenerate: no change of sign between the ends of an interval");
+
+  auto coefficients = by_exponent(reduced, index, ring_->meter());
+  for (auto& [e, coefficient] : coefficients) coefficient.denominator = 1;
+  for (const int bits : precisions) {
+    const auto start = isolate(enclose(coefficients, bits), around(low, high, bits), bits);
+    if (!start) continue;
+    generators_.push_back({std::move(coefficients), *start, bits});
+    ring_->add_rule(index, reduced);
+    return;
+  }
+  throw Open("degenerate: an interval was not seen to hold one simple root alone");
+}
+
+std::optional<int> Tower::find_sign(const Polynomial& number) {
+  const Polynomial reduced = ring_->reduce(number);
+  demand(reduced.is_within(size()), "malformed: a variable where a number is needed");
+  if (reduced.is_zero()) return 0;
+  if (reduced.is_rational()) return reduced.terms.begin()->second > 0 ? 1 : -1;
+  for (const int bits : precisions) {
+    const Interval values = enclose(reduced, bits);
+    if (!values.holds_zero()) return values.low > 0 ? 1 : -1;
+  }
+  return std::nullopt;
+}
+
+int Tower::sign(const Polynomial& number) {
+  const auto found = find_sign(number);
+  demand(found.has_value(), "a sign could not be decided");
+  return *found;
+}
+
+// Of the numerator: the denominator is positive and does not change the sign.
+Interval Tower::enclose(const Polynomial& number, int bits) {
+  ring_->meter().charge(words(number));
+  Interval total{0, 0};
+  for (const auto& [monomial, coefficient] : number.terms) {
+    Interval term{Integer(1) << bits, Integer(1) << bits};
+    for (int i = 0; i < std::ssize(monomial); ++i)
+      if (const int e = exponent(monomial, i); e > 0) {
+        ring_->meter().charge(price(bits));
+        term = product(term, generator_power(i, e, bits), bits);
+      }
+    total = sum(total, scaled(term, coefficient));
+  }
+  return total;
+}
+
+Coefficients Tower::enclose(const std::map<int, Polynomial>& numbers, int bits) {
+  Coefficients result;
+  for (const auto& [e, number] : numbers) result.emplace(e, enclose(number, bits));
+  return result;
+}
+
+Interval Tower::value(const Coefficients& polynomial, const Interval& x, int bits) {
+  Interval result{0, 0};
+  if (polynomial.empty()) return result;
+  for (int e = polynomial.rbegin()->first; e >= 0; --e) {
+    ring_->meter().charge(price(bits));
+    result = product(result, x, bits);
+    if (const auto found = polynomial.find(e); found != polynomial.end())
+      result = sum(result, found->second);
+  }
+  return result;
+}
+
+std::optional<Interval> Tower::isolate(const Coefficients& polynomial, const Interval& within,
+                                       int bits) {
+  const Coefficients slope = derivative(polynomial);
+  std::vector<Interval> parts = {within};
+  for (Integer width = within.width(); width > 0; width /= 2) {
+    std::erase_if(parts, [&](const Interval& part) {
+      return !value(polynomial, part, bits).holds_zero();
+    });
+    if (parts.empty() || parts.size() > most_parts) return std::nullopt;
+    const Interval hull{parts.front().low, parts.back().high};
+    if (!value(slope, hull, bits).holds_zero()) return hull;
+    parts = halves(parts);
+  }
+  return std::nullopt;
+}
+
+Interval Tower::refined(const Generator& generator, int bits) {
+  const Coefficients polynomial = enclose(generator.coefficients, bits);
+  const Coefficients slope = derivative(polynomial);
+  Interval x = rescaled(generator.start, generator.start_bits, bits);
+  for (;;) {
+    const Interval slopes = value(slope, x, bits);
+    if (slopes.holds_zero()) return x;
+    const Integer middle = x.low + x.width() / 2;
+    const Interval step = quotient(value(polynomial, {middle, middle}, bits), slopes, bits);
+    const Interval next{std::max(x.low, middle - step.high),
+                        std::min(x.high, middle - step.low)};
+    const bool last = 2 * next.width() > x.width() || next.width() == 0;
+    x = next;
+    if (last) return x;
+  }
+}
+
+const Interval& Tower::generator_power(int index, int e, int bits) {
+  std::vector<Powers>& known = enclosures_[bits];
+  while (std::ssize(known) <= index) {
+    const Interval x = refined(generators_[known.size()], bits);
+    known.push_back({{Integer(1) << bits, Integer(1) << bits}, x});
+  }
+  Powers& powers = known[static_cast<std::size_t>(index)];
+  while (std::ssize(powers) <= e) {
+    ring_->meter().charge(price(bits));
+    powers.push_back(product(powers.back(), powers[1], bits));
+  }
+  return powers[static_cast<std::size_t>(e)];
+}
+
+}  // namespace seam::check

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "claims/builtin.h"
+#include "claims/stating.h"
+
+// An extremum over a continuous domain stays unresolved: a comparison with it is a statement for all (some)
+// points. Where its value itself is wanted, the best of some candidate points is taken, and
+// "nowhere larger" becomes a side statement that has to be proven.
+
+namespace seam::claims {
+namespace {
+
+using geometry::Patch;
+using symbolic::Simplex;
+
+symbolic::Domain domain_of(const Field& field) {
+  const std::vector<std::string> names = {geometry::parameter_u, geometry::parameter_v};
+  if (field.shape == Patch::Shape::triangle) return {{symbolic::standard_simplex(names)}, {}};
+  return {{symbolic::interval(names[0], 0, 1), symbolic::interval(names[1], 0, 1)}, {}};
+}
+
+Extremum::Part part_of(const Field& field, const Expression& at) {
+  if (field.components.size() != 1) fail(at, "an extremum of a vector: take norm2 or a coordinate");
+  return {field.components[0], domain_of(field)};
+}
+
+bool is_compact(const symbolic::Domain& domain) {
+  return domain.where.empty() && std::ranges::all_of(domain.factors, [](const Simplex& factor) {
+           return std::ranges::none_of(factor.open, [](bool open) { return open; }) &&
+                  std::ranges::none_of(factor.corners, [](const auto& c) { return c[0].is(0); });
+         });
+}
+
+// max(E for u in [0,1], (v,w) in triangle).
+Value over_bindings(const Call& call, bool maximum) {
+  const Expression& each = call[0];
+  std::vector<std::string> symbols;
+  Scope inner{&call.scope, {}};
+  Extremum::Part part;
+  for (std::size_t k = 1; k < each.children.size(); ++k) {
+    const Expression& binding = each.children[k];
+    if (binding.children.size() < 2) fail(binding, "an extremum needs a bounded domain");
+    if (binding.children.size() > 2) throw Unsupported("an extremum under a 'where' condition");
+    std::vector<std::string> here;
+    for (const Expression& name : binding.children[0].children) {
+      here.push_back(call.evaluator.bind(name.text));
+      symbols.push_back(here.back());
+      inner.values[name.text] = {Scalar(Formula::symbol(here.back()))};
+    }
+    part.domain.factors.push_back(call.evaluator.continuous_set(binding.children[1], here, call.scope));
+  }
+  if (!is_compact(part.domain)) fail(each, "an extremum needs a closed, bounded domain");
+  part.value = call.evaluator.scalar(each.children[0], inner);
+  for (const std::string& symbol : symbols) call.evaluator.release(symbol);
+  return {Extremum{maximum, {part}}};
+}
+
+bool is_finite(const Call& call) {
+  const Expression& each = call[0];
+  for (std::size_t k = 1; k < each.children.size(); ++k) {
+    const Expression& binding = each.children[k];
+    if (binding.children.size() < 2) return false;
+    const Expression& set = binding.children[1];
+    const bool interval = set.kind == Expression::Kind::tuple || set.kind == Expression::Kind::half_open ||
+                          (set.kind == Expression::Kind::list && set.children.size() == 2);
+    if (interval) return false;
+    if (!call.evaluator.finite_set(set, call.scope)) return false;
+  }
+  return true;
+}
+
+Value extremum(const Call& call, bool maximum) {
+  std::vector<Value> values;
+  if (call[0].kind == Expression::Kind::each) {
+    if (!is_finite(call)) return over_bindings(call, maximum);
+    values = comprehension(call.evaluator, call[0], call.scope);
+  } else if (call.count() > 1) {
+    for (std::size_t i = 0; i < call.count(); ++i) values.push_back(call.value(i));
+  } else {
+    const Value value = call.value(0);
+    if (const auto* field = value.as<Field>()) return {Extremum{maximum, {part_of(*field, call[0])}}};
+    if (const auto* surface = value.as<SurfaceField>()) {
+      Extremum result{maximum, {}};
+      for (const Field& field : surface->fields) result.parts.push_back(part_of(field, call[0]));
+      return {result};
+    }
+    values = as_items(call.evaluator, value, call[0]);
+  }
+  if (values.empty()) fail(call[0], "the extremum of nothing");
+  // Extrema over domains join to one; numbers are compared at once.
+  if (std::ranges::any_of(values, [](const Value& v) { return v.as<Extremum>() != nullptr; })) {
+    Extremum result{maximum, {}};
+    for (const Value& value : values) {
+      const auto* part = value.as<Extremum>();
+      if (!part || part->maximum != maximum) throw Unsupported("an extremum of extrema of both kinds");
+      result.parts.insert(result.parts.end(), part->parts.begin(), part->parts.end());
+    }
+    return {result};
+  }
+  std::vector<Formula> numbers;
+  for (const Value& value : values) numbers.push_back(as_number(call.evaluator, value, call[0]));
+  return {Scalar(greatest(call.evaluator, numbers, maximum))};
+}
+
+Value max(const Call& call) { return extremum(call, true); }
+Value min(const Call& call) { return extremum(call, false); }
+
+// Barycentric candidates: corners, centres of faces of every dimension.
+std::vector<std::map<std::string, Formula>> candidates(const symbolic::Domain& domain) {
+  std::vector<std::map<std::string, Formula>> points = {{}};
+  for (const Simplex& factor : domain.factors) {
+    std::vector<std::map<std::string, Formula>> next;
+    const std::size_t corners = factor.corners.size();
+    for (std::size_t face = 1; face < (std::size_t{1} << corners); ++face) {
+      long size = 0;
+      symbolic::Point sum(factor.variables.size(), Formula(0));
+      for (std::size_t c = 0; c < corners; ++c) {
+        if (!(face >> c & 1)) continue;
+        ++size;
+        for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += factor.corners[c][i + 1];
+      }
+      for (const auto& point : points) {
+        auto extended = point;
+        for (std::size_t i = 0; i < sum.size(); ++i)
+          extended[factor.variables[i]] = Formula(exact::Rational(1, size)) * sum[i];
+        next.push_back(std::move(extended));
+      }
+    }
+    points = std::move(next);
+  }
+  return points;
+}
+
+}  // namespace
+
+Value Evaluator::resolved(const Value& value, const Expression& at) {
+  const auto* extremum = value.as<Extremum>();
+  if (!extremum) return value;
+  std::optional<Formula> best;
+  for (const Extremum::Part& part : extremum->parts)
+    for (const auto& point : candidates(part.domain)) {
+      std::map<std::string, Scalar> map;
+      for (const auto& [name, coordinate] : point) map.emplace(name, Scalar(coordinate));
+      const Scalar here = substitute(part.value, map, numbers);
+      if (!is_number(here)) throw Unsupported("the value of an extremum that depends on a parameter");
+      const Formula number = numbers.normal_form(here.numerator);
+      const auto above = [&] {
+        const auto sign = numbers.sign(extremum->maximum ? number - *best : *best - number);
+        return sign == exact::Sign::positive;
+      };
+      if (!best || above()) best = number;
+    }
+  if (!best) fail(at, "the extremum of nothing");
+  Stating stating(*this);
+  for (const Extremum::Part& part : extremum->parts) {
+    const Context context{part.domain.factors, {}, {}};
+    const auto bound = stating.compared(part.value, extremum->maximum ? "<=" : ">=", Scalar(*best), context, at);
+    sides.push_back(stating.holds(bound.formula, bound.relation, context, at,
+                                  extremum->maximum ? "nowhere larger" : "nowhere smaller"));
+  }
+  for (auto& guard : stating.guards) sides.push_back(std::move(guard));
+  return {Scalar(*best)};
+}
+
+const Builtins& extremum_builtins() {
+  static const Builtins table = {{"max", {1, -1, max}}, {"min", {1, -1, min}}};
+  return table;
+}
+
+}  // namespace seam::claims

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "claims/export.h"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+#include <unordered_map>
+
+namespace seam::claims {
+namespace {
+
+using certificate::Goal;
+using certificate::Node;
+using certificate::Term;
+using symbolic::Fact;
+using symbolic::Point;
+using symbolic::Proposition;
+
+class Exporter {
+ public:
+  explicit Exporter(const Numbers& numbers) : numbers_(numbers) {}
+
+  Exported run(const Stated& stated) {
+    result_.statement.goal = goal(stated.goal);
+    for (const Proposition& guard : stated.guards) add_guard(guard);
+    // Facts may bring formulas with facts of their own.
+    for (std::size_t i = 0; i < facts_.size(); ++i) add_fact(facts_[i]);
+    add_generators();
+    return std::move(result_);
+  }
+
+ private:
+  Term node(Node::Kind kind, std::string text, std::vector<Term> operands, int exponent) {
+    const auto key = std::make_tuple(kind, text, operands, exponent);
+    const auto [place, fresh] = interned_.emplace(key, static_cast<Term>(result_.statement.nodes.size()));
+    if (fresh) result_.statement.nodes.push_back({kind, std::move(text), std::move(operands), exponent});
+    return place->second;
+  }
+
+  Term term(const Formula& f) {
+    if (const auto found = terms_.find(f.identity()); found != terms_.end()) return found->second;
+    kept_.push_back(f);  // so that no other node can take its address
+    Term result = 0;
+    std::vector<Term> operands;
+    if (f.kind() != Formula::Kind::known)
+      for (const Formula& operand : f.operands()) operands.push_back(term(operand));
+    switch (f.kind()) {
+      case Formula::Kind::constant: result = node(Node::Kind::constant, f.value().get_str(), {}, 0); break;
+      case Formula::Kind::symbol:
+        if (symbolic::is_generator(f.name())) used_.insert(f.name());
+        result = node(Node::Kind::symbol, f.name(), {}, 0);
+        break;
+      case Formula::Kind::sum: result = node(Node::Kind::sum, {}, std::move(operands), 0); break;
+      case Formula::Kind::product: result = node(Node::Kind::product, {}, std::move(operands), 0); break;
+      case Formula::Kind::power: result = node(Node::Kind::power, {}, std::move(operands), f.exponent()); break;
+      case Formula::Kind::known:
+        result = term(f.operands()[0]);
+        facts_.insert(facts_.end(), f.facts().begin(), f.facts().end());
+        break;
+    }
+    terms_.emplace(f.identity(), result);
+    return result;
+  }
+
+  std::vector<Term> terms(const Point& point) {
+    std::vector<Term> all;
+    for (const Formula& f : point) all.push_back(term(f));
+    return all;
+  }
+
+  certificate::Simplex simplex(const symbolic::Simplex& s) {
+    certificate::Simplex result{s.variables, {}, s.open};
+    for (const Point& corner : s.corners) result.corners.push_back(terms(corner));
+    return result;
+  }
+
+  certificate::Domain domain(const symbolic::Domain& d) {
+    certificate::Domain result;
+    for (const auto& factor : d.factors) result.factors.push_back(simplex(factor));
+    for (const auto& constraint : d.where) result.where.push_back({term(constraint.formula), constraint.relation});
+    return result;
+  }
+
+  certificate::Obligation obligation(const symbolic::Zero& z) { return certificate::Zero{term(z.formula)}; }
+  certificate::Obligation obligation(const symbolic::Sign& s) {
+    const Term formula = term(s.formula);
+    return certificate::Sign{formula, s.relation, domain(s.domain)};
+  }
+  certificate::Obligation obligation(const symbolic::Solutions& s) {
+    certificate::Solutions result;
+    result.system = terms(s.system);
+    result.unknown = s.unknown;
+    result.for_all = s.for_all;
+    result.domain = simplex(s.domain);
+    for (const Formula& value : s.exact) result.solutions.push_back({term(value), {}, {}});
+    for (const auto& [low, high] : s.near) result.solutions.push_back({-1, low.get_str(), high.get_str()});
+    return result;
+  }
+  certificate::Obligation obligation(const certificate::Gluing& g) { return g; }
+  certificate::Obligation obligation(const symbolic::Distinct& d) {
+    certificate::Distinct result;
+    for (const Point& tuple : d.tuples) result.tuples.push_back(terms(tuple));
+    return result;
+  }
+
+  int add(certificate::Obligation o, const std::string& about, std::string text) {
+    auto& all = result_.statement.obligations;
+    const std::size_t bucket = o.index() * 1'000'003 + std::hash<std::string>()(text);
+    for (const int known : buckets_[bucket])
+      if (all[known] == o) return known;
+    buckets_[bucket].push_back(static_cast<int>(all.size()));
+    all.push_back(std::move(o));
+    result_.about.push_back(about);
+    result_.text.push_back(std::move(text));
+    return static_cast<int>(all.size()) - 1;
+  }
+
+  Goal goal(const Proposition& p, const std::string& around = {}) {
+    const std::string& about = p.about.empty() ? around : p.about;
+    Goal result;
+    switch (p.kind) {
+      case Proposition::Kind::atom:
+        result.kind = Goal::Kind::obligation;
+        result.obligation =
+            std::visit([&](const auto& a) { return add(obligation(a), about, describe(a)); }, p.atom);
+        return result;
+      case Proposition::Kind::all: result.kind = Goal::Kind::all; break;
+      case Proposition::Kind::any: result.kind = Goal::Kind::any; break;
+      case Proposition::Kind::negation: result.kind = Goal::Kind::negation; break;
+    }
+    for (const Proposition& part : p.parts) {
+      Goal next = goal(part, about);
+      // "All of" within "all of" says no more than one long "all of".
+      if (next.kind == result.kind && result.kind != Goal::Kind::negation)
+        result.parts.insert(result.parts.end(), next.parts.begin(), next.parts.end());
+      else
+        result.parts.push_back(std::move(next));
+    }
+    if (result.parts.size() == 1 && result.kind != Goal::Kind::negation) {
+      Goal only = std::move(result.parts.front());
+      return only;
+    }
+    return result;
+  }
+
+  void guard_all(const Goal& g) {
+    if (g.kind == Goal::Kind::obligation) {
+      auto& guards = result_.statement.guards;
+      if (std::ranges::find(guards, g.obligation) == guards.end()) guards.push_back(g.obligation);
+      return;
+    }
+    for (const Goal& part : g.parts) guard_all(part);
+  }
+
+  // Guards are conjunctions; any other would have to be part of the goal.
+  void add_guard(const Proposition& guard) {
+    if (is_conjunction(guard)) return guard_all(goal(guard));
+    Goal both;
+    both.parts = {std::move(result_.statement.goal), goal(guard)};
+    result_.statement.goal = std::move(both);
+  }
+
+  static bool is_conjunction(const Proposition& p) {
+    return p.kind == Proposition::Kind::atom ||
+           (p.kind == Proposition::Kind::all && std::ranges::all_of(p.parts, is_conjunction));
+  }
+
+  void add_fact(Fact fact) {
+    if (fact.relation == Fact::Relation::zero)
+      return add_guard(symbolic::atom(symbolic::Zero{fact.formula}, "what a number is"));
+    const auto relation = fact.relation == Fact::Relation::nonzero ? certificate::Relation::nonzero
+                                                                   : certificate::Relation::nonnegative;
+    add_guard(symbolic::atom(symbolic::Sign{fact.formula, relation, {}}, "what a number is"));
+  }
+
+  void add_generators() {
+    const auto& all = numbers_.generators();
+    for (auto generator = all.rbegin(); generator != all.rend(); ++generator)
+      if (used_.contains(generator->name)) used_.merge(symbolic::symbols(generator->polynomial));
+    for (const auto& generator : all)
+      if (used_.contains(generator.name))
+        result_.statement.generators.push_back({generator.name, term(generator.polynomial),
+                                                generator.low.get_str(), generator.high.get_str()});
+  }
+
+  static std::string relation_text(certificate::Relation relation) {
+    static const char* const signs[] = {" > 0", " >= 0", " = 0", " != 0", " <= 0", " < 0"};
+    return signs[static_cast<int>(relation)];
+  }
+
+  static std::string short_text(const Formula& f) { return symbolic::text(f, 200); }
+
+  static std::string describe(const symbolic::Zero& z) { return short_text(z.formula) + " = 0"; }
+  static std::string describe(const symbolic::Sign& s) {
+    return short_text(s.formula) + relation_text(s.relation);
+  }
+  static std::string describe(const symbolic::Solutions& s) {
+    return std::to_string(s.exact.size() + s.near.size()) + " solutions in " + s.unknown;
+  }
+  static std::string describe(const certificate::Gluing& g) {
+    return std::to_string(g.patches.size()) + " patches, " + std::to_string(g.seams.size()) +
+           " seams, closed and connected, Euler characteristic " + std::to_string(g.euler);
+  }
+  static std::string describe(const symbolic::Distinct& d) {
+    return std::to_string(d.tuples.size()) + " different items";
+  }
+
+  const Numbers& numbers_;
+  Exported result_;
+  std::map<std::tuple<Node::Kind, std::string, std::vector<Term>, int>, Term> interned_;
+  std::unordered_map<const void*, Term> terms_;
+  std::vector<Formula> kept_;
+  std::vector<Fact> facts_;
+  std::set<std::string> used_;
+  std::map<std::size_t, std::vector<int>> buckets_;
+};
+
+}  // namespace
+
+Exported exported(const Stated& stated, const Numbers& numbers) { return Exporter(numbers).run(stated); }
+
+}  // namespace seam::claims

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "claims/export.h"
+#include "claims/syntax.h"
+#include "claims/value.h"
+
+namespace seam::claims {
+
+/// A statement as obligations, or the reason why this version has none for it.
+struct Lowered {
+  std::optional<Exported> exported;
+  std::string unsupported;
+  std::set<std::string> predicates;
+};
+
+struct MeantClaim {
+  Claim claim;  ///< as written; a table cell: made from its row
+  std::vector<std::string> comments;
+  text::Span span;
+  Lowered printed;
+  std::optional<Lowered> corrected;
+};
+
+struct MeantTable {
+  struct Row {
+    std::string label;
+    Expression value;
+    std::vector<MeantClaim> cells;
+  };
+  Claim heading;
+  std::vector<std::string> comments, labels;
+  std::vector<Row> rows;
+};
+
+/// The decimal and the closed form are what the statement says of the value, for the checker to confirm.
+struct MeantAsk {
+  std::string id;
+  Expression expression;
+  std::string decimal, closed_form;
+  Lowered statement;
+};
+
+struct MeantFigure {
+  std::string title, coloured_by;
+  std::optional<Value> value;
+};
+
+struct MeantSection {
+  std::string title;
+};
+
+/// A definition, param or root, as written.
+struct MeantDefinition {
+  Item item;
+};
+
+using MeantItem =
+    std::variant<MeantSection, MeantDefinition, MeantClaim, MeantTable, MeantFigure, MeantAsk>;
+
+/// What a file says: its claims as obligations, in file order. If `errors` is not empty the
+/// rest is what could still be read.
+struct Meaning {
+  std::string paper, by, source, year;
+  std::vector<MeantItem> items;
+  std::vector<text::Diagnostic> errors;
+  std::shared_ptr<Numbers> numbers;
+};
+
+/// Opens a file named by an `include`, relative to the folder of the including file; nothing if it must not or
+/// cannot be read.
+using Opener = std::function<std::shared_ptr<const text::Source>(const std::string& path)>;
+
+Meaning mean(const File&, const Opener&);
+
+/// A question that is not in a file: what `seamproof ask FILE 'EXPR'` wants, in the scope of all its definitions.
+MeantAsk mean_question(const File&, const Opener&, const Expression&, int digits,
+                       std::vector<text::Diagnostic>& errors);
+
+}  // namespace seam::claims

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "claims/state.h"
+
+#include "claims/stating.h"
+
+// Outside every quantifier a statement is true or false, and `or`, `not`, `implies` are what
+// they are for propositions. Under "for all" they are moved inwards to the relations:
+// for all x (A or B) is the same as: for all x where not A, B.
+
+namespace seam::claims {
+namespace {
+
+using Kind = Expression::Kind;
+
+}  // namespace
+
+Proposition Stating::state(const Expression& e, const Scope& scope, const Context& context,
+                           bool positive) {
+  const auto part = [&](std::size_t i, bool sign) {
+    return state(e.children[i], scope, context, sign);
+  };
+  switch (e.kind) {
+    case Kind::negation: return part(0, !positive);
+    case Kind::conjunction:
+      if (positive) return symbolic::all({part(0, true), part(1, true)});
+      return alternatives({{&e.children[0], false}, {&e.children[1], false}}, scope, context);
+    case Kind::disjunction:
+      if (!positive) return symbolic::all({part(0, false), part(1, false)});
+      return alternatives({{&e.children[0], true}, {&e.children[1], true}}, scope, context);
+    case Kind::implication:
+      if (!positive) return symbolic::all({part(0, true), part(1, false)});
+      return alternatives({{&e.children[0], false}, {&e.children[1], true}}, scope, context);
+    case Kind::equivalence: {
+      if (!positive) {
+        if (!context.empty()) throw Unsupported("'not (… iff …)' under 'for all' is not covered");
+        return symbolic::negation(state(e, scope, context));
+      }
+      return symbolic::all(
+          {alternatives({{&e.children[0], false}, {&e.children[1], true}}, scope, context),
+           alternatives({{&e.children[0], true}, {&e.children[1], false}}, scope, context)});
+    }
+    case Kind::for_all:
+    case Kind::for_some: return quantified(e, scope, context, positive);
+    case Kind::relation:
+    case Kind::truncated: return relation(e, scope, context, positive);
+    case Kind::solve: {
+      if (!context.empty()) throw Unsupported("'solve' under a quantifier is not covered");
+      Proposition p = solved(e, scope, context);
+      return positive ? p : symbolic::negation(std::move(p));
+    }
+    case Kind::call:
+    case Kind::name: return called(e, scope, context, positive);
+    default: fail(e, "expected a statement, found a value", "a claim compares, quantifies or uses a predicate");
+  }
+}
+
+// One of the parts holds, at every point of the context.
+Proposition Stating::alternatives(const std::vector<std::pair<const Expression*, bool>>& parts,
+                                  const Scope& scope, const Context& context) {
+  if (context.empty()) {
+    std::vector<Proposition> all;
+    for (const auto& [part, positive] : parts) {
+      Proposition p = state(*part, scope, context);
+      all.push_back(positive ? std::move(p) : symbolic::negation(std::move(p)));
+    }
+    return symbolic::any(std::move(all));
+  }
+  for (std::size_t last = parts.size(); last-- > 0;) {
+    Context narrowed = context;
+    bool convertible = true;
+    for (std::size_t i = 0; i < parts.size() && convertible; ++i) {
+      if (i == last) continue;
+      auto excluded = constraints(*parts[i].first, scope, context, !parts[i].second);
+      convertible = excluded.has_value();
+      if (excluded)
+        narrowed.where.insert(narrowed.where.end(), excluded->begin(), excluded->end());
+    }
+    if (convertible) return state(*parts[last].first, scope, narrowed, parts[last].second);
+  }
+  throw Unsupported("this 'or' under 'for all' is not covered: no side is a plain comparison");
+}
+
+Stated state(Evaluator& evaluator, const Expression& statement, const Scope& scope) {
+  Stating stating(evaluator);
+  evaluator.sides.clear();
+  Stated result;
+  result.goal = stating.state(statement, scope, {});
+  result.guards = std::move(stating.guards);
+  for (const Proposition& side : evaluator.sides) result.guards.push_back(side);
+  evaluator.sides.clear();
+  result.predicates = std::move(stating.predicates);
+  return result;
+}
+
+}  // namespace seam::claims

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "claims/state.h"
+
+// The parts of `state`, each in a file of its own: relation.cpp, quantifier.cpp,
+// predicate.cpp, solve.cpp.
+namespace seam::claims {
+
+using symbolic::Proposition;
+using symbolic::Relation;
+
+/// The universal quantifiers around a statement: its variables range over the product of the
+/// factors, over all reals for `lines`, where all the constraints hold.
+struct Context {
+  std::vector<symbolic::Simplex> factors;
+  std::vector<std::string> lines;
+  std::vector<symbolic::Constraint> where;
+
+  bool empty() const { return factors.empty() && lines.empty() && where.empty(); }
+};
+
+class Stating {
+ public:
+  explicit Stating(Evaluator& e) : evaluator(e) {}
+
+  /// The statement, or with `positive` false its negation, for all points of the context.
+  Proposition state(const Expression&, const Scope&, const Context&, bool positive = true);
+
+  // relation.cpp
+  Proposition relation(const Expression&, const Scope&, const Context&, bool positive);
+  Proposition approximation(const Expression&, const Value& left, const Expression& printed,
+                            bool truncated, const Context&, bool positive);
+  /// The formula has the relation to 0 on all of the context; parameters of the file are added to it.
+  Proposition holds(const Formula&, Relation, const Context&, const Expression& at,
+                    const std::string& about = {});
+  /// `a operation b` as `formula relation 0`, with guards for the divisors.
+  symbolic::Constraint compared(const Scalar& a, const std::string& operation, const Scalar& b,
+                                const Context&, const Expression& at);
+  /// A statement as a conjunction of constraints, if it is one.
+  std::optional<std::vector<symbolic::Constraint>> constraints(const Expression&, const Scope&,
+                                                               const Context&, bool positive);
+
+  // quantifier.cpp
+  Proposition quantified(const Expression&, const Scope&, const Context&, bool positive);
+  Proposition alternatives(const std::vector<std::pair<const Expression*, bool>>&, const Scope&,
+                           const Context&);
+
+  // predicate.cpp
+  Proposition called(const Expression&, const Scope&, const Context&, bool positive);
+
+  // solve.cpp
+  Proposition solved(const Expression&, const Scope&, const Context&);
+
+  Evaluator& evaluator;
+  std::vector<Proposition> guards;
+  std::set<std::string> predicates;
+
+ private:
+  Proposition compare(const Expression&, const Value& a, const std::string& operation,
+                      const Value& b, const Context&, bool positive);
+  Proposition compare_extremum(const Expression&, const Extremum&, const std::string& operation,
+                               const Scalar&, const Context&);
+  Proposition entries(const Expression&, const std::vector<Value>& a, const std::vector<Value>& b,
+                      const std::string& operation, const Context&, bool positive);
+  std::optional<exact::Sign> sample_sign(const Formula&, const Context&);
+  void guard_divisors(const Scalar&, const Context&, const Expression& at);
+};
+
+/// The numbers that a printed decimal is a correct rounding of: half a unit of its last digit to either side.
+std::pair<exact::Rational, exact::Rational> printed_range(const Expression& printed);
+
+std::string negated_operation(const std::string& operation);
+
+}  // namespace seam::claims

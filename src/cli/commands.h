@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/verify.h"
+
+// The commands of `seamproof`, one function each; what a function returns is the exit status.
+namespace seam::cli {
+
+struct Outputs {
+  std::string out;   ///< a folder for report.tex, results.json, certificates/; empty: none
+  std::string json;  ///< a file, `-` for standard output; empty: none
+  bool pdf = false;
+  bool allow_undecided = false;
+  bool quiet = false;
+  bool verbose = false;
+  std::string colour = "auto";
+};
+
+int verify_files(const std::vector<std::string>& files, const VerifyOptions&, const Outputs&);
+int list_claims(const std::vector<std::string>& files);
+int list_obligations(const std::vector<std::string>& files);
+int format_files(const std::vector<std::string>& files, bool in_place);
+int explain(const std::string& file, const std::string& id, const VerifyOptions&);
+int trust(const std::string& file, const std::string& id, const VerifyOptions&);
+int ask(const std::string& file, const std::string& expression, int digits, const VerifyOptions&);
+int start_file(const std::string& name);
+
+}  // namespace seam::cli

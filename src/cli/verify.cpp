@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/verify.h"
+
+#include <fnmatch.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+
+#include "claims/latex.h"
+#include "cli/figure.h"
+#include "cli/files.h"
+#include "cli/outcome.h"
+#include "symbolic/second_opinion.h"
+
+// One task a statement, in any order; results go to places fixed beforehand, so the order
+// does not show.
+
+namespace seam::cli {
+namespace {
+
+using certificate::Certificate;
+using certificate::Verdict;
+using claims::MeantClaim;
+
+struct Task {
+  std::string id;
+  const claims::Lowered* lowered = nullptr;
+  const claims::Expression* statement = nullptr;
+  Decided decided;
+  double seconds = 0;
+};
+
+void run(std::vector<Task>& tasks, const VerifyOptions& options, const Progress& progress) {
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, std::max(1, options.jobs));
+  std::atomic<int> done = 0;
+  const int all = static_cast<int>(tasks.size());
+  tbb::parallel_for(std::size_t{0}, tasks.size(), [&](std::size_t i) {
+    Task& task = tasks[i];
+    const auto start = std::chrono::steady_clock::now();
+    prove::Budget budget;
+    budget.effort = options.effort;
+    budget.deadline = start + std::chrono::milliseconds(static_cast<long>(options.timeout * 1000));
+    task.decided = decide(*task.lowered, *task.statement, budget);
+    task.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    progress(++done, all, task.id);
+  });
+}
+
+// Every accepted obligation once more by a third arithmetic, at one point; one after the other.
+void ask_for_second_opinions(std::vector<Task>& tasks) {
+  for (Task& task : tasks) {
+    if (!task.lowered->exported) continue;
+    const certificate::Statement& statement = task.lowered->exported->statement;
+    report::Outcome& outcome = task.decided.outcome;
+    for (std::size_t i = 0; i < statement.obligations.size() && outcome.alarm.empty(); ++i) {
+      if (outcome.obligations[i].status != report::ObligationRun::Status::holds) continue;
+      if (const auto contradiction = symbolic::contradiction(statement, statement.obligations[i]))
+        outcome.alarm = outcome.obligations[i].kind + ": " + *contradiction;
+    }
+  }
+}
+
+// The claims of a meaning in file order, cells of tables among them.
+void each_claim(const claims::Meaning& meaning, const std::function<void(const MeantClaim&)>& f) {
+  for (const auto& item : meaning.items) {
+    if (const auto* claim = std::get_if<MeantClaim>(&item)) f(*claim);
+    if (const auto* table = std::get_if<claims::MeantTable>(&item))
+      for (const auto& row : table->rows)
+        for (const MeantClaim& cell : row.cells) f(cell);
+  }
+}
+
+std::vector<Task> tasks_of(const claims::Meaning& meaning, const std::vector<std::string>& patterns) {
+  std::vector<Task> tasks;
+  each_claim(meaning, [&](const MeantClaim& claim) {
+    if (!selected(claim.claim.id, patterns)) return;
+    tasks.push_back({claim.claim.id, &claim.printed, &claim.claim.statement, {}, 0});
+    if (claim.corrected)
+      tasks.push_back({claim.claim.id, &*claim.corrected, &*claim.claim.corrected, {}, 0});
+  });
+  for (const auto& item : meaning.items)
+    if (const auto* ask = std::get_if<claims::MeantAsk>(&item); ask && selected(ask->id, patterns))
+      tasks.push_back({ask->id, &ask->statement, &ask->expression, {}, 0});
+  return tasks;
+}
+
+// A proven claim that rests on one that is not proven is conditional. `using` has no circles.
+void mark_conditional(const std::string& id, const std::map<std::string, std::vector<std::string>>& uses,
+                      std::map<std::string, Verdict>& verdicts, std::map<std::string, std::string>& because) {
+  const auto own = uses.find(id);
+  if (own == uses.end() || because.contains(id)) return;
+  because[id];
+  for (const std::string& used : own->second) {
+    mark_conditional(used, uses, verdicts, because);
+    const auto verdict = verdicts.find(used);
+    if (verdict != verdicts.end() && verdict->second == Verdict::proven) continue;
+    auto& mine = verdicts.at(id);
+    if (mine == Verdict::proven) mine = Verdict::conditional;
+    if (because[id].empty()) because[id] = "rests on '" + used + "', which is not proven";
+  }
+}
+
+std::string file_name(const std::string& id, bool correction) {
+  std::string name = id;
+  std::ranges::replace(name, ':', '=');  // no colon in file names
+  return "certificates/" + name + (correction ? ".corrected" : "") + ".json";
+}
+
+class Assembly {
+ public:
+  Assembly(std::vector<Task>& tasks, const claims::Meaning& meaning) : tasks_(tasks) {
+    std::map<std::string, std::vector<std::string>> uses;
+    each_claim(meaning, [&](const MeantClaim& claim) { uses[claim.claim.id] = claim.claim.using_claims; });
+    for (const Task& task : tasks) verdicts_.emplace(task.id, task.decided.outcome.verdict);
+    for (const Task& task : tasks) mark_conditional(task.id, uses, verdicts_, because_);
+  }
+
+  std::optional<report::ClaimRun> claim(const MeantClaim& meant) {
+    if (next_ >= tasks_.size() || tasks_[next_].id != meant.claim.id) return std::nullopt;
+    report::ClaimRun run;
+    run.id = meant.claim.id;
+    run.title = meant.claim.title;
+    run.at = meant.claim.at;
+    run.comments = meant.comments;
+    run.using_claims = meant.claim.using_claims;
+    run.predicates.assign(meant.printed.predicates.begin(), meant.printed.predicates.end());
+    run.expected = meant.corrected || meant.claim.expect == "refuted" ? Verdict::refuted
+                   : meant.claim.expect == "undecided"                ? Verdict::undecided
+                                                                      : Verdict::proven;
+    run.printed = outcome(run, meant.printed, false);
+    if (meant.corrected) run.corrected = outcome(run, *meant.corrected, true);
+    return run;
+  }
+
+  report::AskRun ask(const claims::MeantAsk& meant) {
+    report::AskRun run{meant.id, claims::latex(meant.expression), claims::format(meant.expression), {}, {}, {}, {}, 0};
+    const auto task = std::ranges::find_if(tasks_, [&](const Task& t) { return t.lowered == &meant.statement; });
+    if (task == tasks_.end()) return run;
+    run.seconds = task->seconds;
+    run.detail = task->decided.outcome.detail;
+    if (task->decided.outcome.verdict == Verdict::proven) {
+      run.decimal = meant.decimal;
+      run.closed_form = meant.closed_form;
+    } else if (run.detail.empty()) {
+      run.detail = "the value that was found could not be confirmed";
+    }
+    return run;
+  }
+
+  std::map<std::string, Certificate> certificates;
+
+ private:
+  report::Outcome outcome(report::ClaimRun& run, const claims::Lowered& lowered, bool correction) {
+    Task& task = tasks_[next_++];
+    report::Outcome result = task.decided.outcome;
+    run.seconds += task.seconds;
+    if (result.verdict == Verdict::proven && verdicts_.at(run.id) == Verdict::conditional) {
+      result.verdict = Verdict::conditional;
+      result.reason = "assumption";
+      result.detail = because_.at(run.id);
+    }
+    if (lowered.exported) {
+      result.certificate = file_name(run.id, correction);
+      certificates[result.certificate] = {run.id, correction, result.verdict, run.using_claims,
+                                          lowered.exported->statement, task.decided.evidence};
+    }
+    return result;
+  }
+
+  std::vector<Task>& tasks_;
+  std::size_t next_ = 0;
+  std::map<std::string, Verdict> verdicts_;
+  std::map<std::string, std::string> because_;
+};
+
+}  // namespace
+
+bool selected(const std::string& id, const std::vector<std::string>& patterns) {
+  return patterns.empty() || std::ranges::any_of(patterns, [&](const std::string& pattern) {
+           return pattern == id || fnmatch(pattern.c_str(), id.c_str(), 0) == 0;
+         });
+}
+
+Verified verify(const std::filesystem::path& file, const VerifyOptions& options, const Progress& progress) {
+  const claims::Meaning meaning = meant(file);
+  std::vector<Task> tasks = tasks_of(meaning, options.claims);
+  run(tasks, options, progress);
+  ask_for_second_opinions(tasks);
+
+  Assembly assembly(tasks, meaning);
+  Verified result;
+  result.run.file = file.filename().string();
+  result.run.paper = meaning.paper;
+  result.run.by = meaning.by;
+  result.run.source = meaning.source;
+  result.run.year = meaning.year;
+  result.run.sha256 = sha256(open(file)->bytes);
+  for (const auto& item : meaning.items) {
+    if (const auto* section = std::get_if<claims::MeantSection>(&item)) {
+      result.run.items.push_back(report::SectionRun{section->title});
+    } else if (const auto* definition = std::get_if<claims::MeantDefinition>(&item)) {
+      result.run.items.push_back(
+          report::DefinitionRun{claims::latex(definition->item), definition->item.comments});
+    } else if (const auto* claim = std::get_if<MeantClaim>(&item)) {
+      if (auto run = assembly.claim(*claim)) result.run.items.push_back(std::move(*run));
+    } else if (const auto* table = std::get_if<claims::MeantTable>(&item)) {
+      report::TableRun run{table->heading.id, table->heading.title, table->heading.at, table->labels,
+                           table->comments, {}};
+      for (const auto& row : table->rows) {
+        run.rows.push_back({row.label, claims::latex(row.value), {}});
+        for (const MeantClaim& cell : row.cells)
+          if (auto cell_run = assembly.claim(cell)) run.rows.back().cells.push_back(std::move(*cell_run));
+      }
+      result.run.items.push_back(std::move(run));
+    } else if (const auto* ask = std::get_if<claims::MeantAsk>(&item)) {
+      if (selected(ask->id, options.claims)) result.run.items.push_back(assembly.ask(*ask));
+    } else if (const auto* figure = std::get_if<claims::MeantFigure>(&item)) {
+      if (figure->value) result.run.items.push_back(sampled(*figure, *meaning.numbers));
+    }
+  }
+  result.certificates = std::move(assembly.certificates);
+  return result;
+}
+
+}  // namespace seam::cli

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "geometry/similarity.h"
+#include "geometry/surface.h"
+#include "symbolic/proposition.h"
+
+// Predicates on patches and surfaces in space as propositions about formulas. Each says exactly
+// what the table "Predicates" of docs/language.md says; nothing is decided here. Search chooses
+// what is stated (which sides, which tuples), and what is stated is enough for what is meant.
+namespace seam::geometry {
+
+using symbolic::Proposition;
+
+/// The normal vanishes nowhere on the closed domain.
+Proposition regular(const Patch&);
+
+/// One full side of p is one full side of q (which one, and in which direction, is found with
+/// `Numbers`; the equality is stated, so that it is proven). No such pair: a proposition that
+/// fails, with a witness for each pair of sides.
+Proposition g0(const Patch& p, const Patch& q, const Numbers&);
+Proposition g1(const Patch& p, const Patch& q, const Numbers&);
+Proposition g2(const Patch& p, const Patch& q, const Numbers&);
+
+/// Every seam; and at every interior corner the patches wind round the normal exactly once.
+/// Several patches that hang not together through seams fail: nothing is true of a surface for
+/// want of seams.
+Proposition g1(const Surface&, const Numbers&);
+Proposition g2(const Surface&, const Numbers&);
+
+/// Every side on exactly one seam (equal curves: stated; distinct seams: stated), connected,
+/// Euler characteristic.
+Proposition closed(const Surface&, const Numbers&);
+int euler_characteristic(const Surface&);
+
+/// closed, G1, Gauss curvature > 0 everywhere, and Euler characteristic 2.
+Proposition convex(const Surface&, const Numbers&);
+
+/// Every point is a corner of a patch, or the image of an exact parameter.
+Proposition interpolates(const Surface&, const std::vector<Point>&, const Numbers&);
+
+/// All in one plane; of any dimension.
+Proposition planar(const std::vector<Point>&);
+
+}  // namespace seam::geometry

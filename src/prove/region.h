@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bernstein/form.h"
+#include "prove/workshop.h"
+
+namespace seam::prove {
+
+/// A set of corners of a simplex.
+using Corners = unsigned;
+
+/// A simplex as certificate::Simplex describes it, in numbers.
+struct Factor {
+  std::vector<std::string> variables;
+  std::vector<std::vector<exact::Polynomial>> corners;  ///< (weight, x...)
+  std::vector<bool> open;
+  Corners infinite = 0;  ///< the corners of weight 0
+};
+using Factors = std::vector<Factor>;
+
+Factor make_factor(Workshop&, const certificate::Simplex&);
+std::vector<std::string> variables(const Factors&);
+
+/// Whether a point of the simplex with exactly these barycentric coordinates positive is left out: all
+/// at infinity, or on an open facet.
+bool is_outside(const Factor&, Corners support);
+
+/// A polynomial in the variables of the factors over their product: homogenised with the weights, in
+/// barycentric coordinates. In a ring over the tower of the polynomial.
+struct Barycentric {
+  exact::Polynomial polynomial;
+  std::shared_ptr<const bernstein::Shape> shape;
+};
+Barycentric in_barycentric(const Factors&, const exact::Polynomial&);
+
+/// The point of a factor with these barycentric coordinates, not all at infinity: one value a variable.
+std::vector<exact::Polynomial> point(const Factor&, const std::vector<exact::Polynomial>& l);
+
+}  // namespace seam::prove

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "prove/workshop.h"
+
+#include <algorithm>
+
+#include "exact/contract.h"
+
+// The tower is a field because every generator in it is irreducible over those before: for those of the
+// statement that is expected, and whoever breaks it gets evidence that is not accepted; for those added here
+// `irreducible_factor` makes it so.
+
+namespace seam::prove {
+
+using certificate::Node;
+using certificate::Term;
+using exact::Integer;
+using exact::Polynomial;
+using exact::Rational;
+using exact::RingPtr;
+
+namespace {
+
+Rational rational(const std::string& text) {
+  Rational result(text);
+  result.canonicalize();
+  return result;
+}
+
+}  // namespace
+
+Workshop::Workshop(const certificate::Statement& statement, certificate::Evidence& evidence,
+                   const Budget& budget)
+    : statement_(&statement), evidence_(&evidence), budget_(&budget) {
+  for (const auto& generator : statement.generators) generators_.insert(generator.name);
+  for (const Node& node : statement.nodes) {
+    std::set<std::string> symbols;
+    if (node.kind == Node::Kind::symbol) symbols.insert(node.text);
+    for (const Term operand : node.operands)
+      symbols.insert(symbols_[operand].begin(), symbols_[operand].end());
+    symbols_.push_back(std::move(symbols));
+  }
+  for (const auto& generator : statement.generators) accept(generator);
+}
+
+void Workshop::accept(const certificate::Generator& generator) {
+  generators_.erase(generator.name);  // for this once it is a variable
+  const exact::Univariate f =
+      exact::univariate(expand(generator.polynomial, {generator.name}), 0);
+  generators_.insert(generator.name);
+  exact::require(exact::degree(f) >= 2, "prove: a generator of degree below 2");
+  tower_ = exact::adjoin(exact::monic(f), generator.name,
+                         {rational(generator.low), rational(generator.high)});
+  rings_.clear();
+  expanded_.clear();
+}
+
+RingPtr Workshop::ring(const std::vector<std::string>& variables) const {
+  auto& ring = rings_[variables];
+  if (!ring) ring = exact::Ring::make(tower_, variables);
+  return ring;
+}
+
+std::set<std::string> Workshop::variables(Term term) const {
+  std::set<std::string> result;
+  std::ranges::set_difference(symbols_[term], generators_, std::inserter(result, result.end()));
+  return result;
+}
+
+Polynomial Workshop::expand(Term term, const std::vector<std::string>& variables) {
+  auto& done = expanded_[variables];
+  if (const auto known = done.find(term); known != done.end()) return known->second;
+  const RingPtr ring = this->ring(variables);
+  std::vector<bool> needed(term + 1);
+  needed[term] = true;
+  for (Term i = term; i >= 0; --i)
+    if (needed[i] && !done.contains(i))
+      for (const Term operand : statement_->nodes[i].operands) needed[operand] = true;
+  for (Term i = 0; i <= term; ++i) {
+    if (!needed[i] || done.contains(i)) continue;
+    const Node& node = statement_->nodes[i];
+    Polynomial value = ring->constant(node.kind == Node::Kind::product ? 1 : 0);
+    switch (node.kind) {
+      case Node::Kind::constant:
+        value = ring->constant(rational(node.text));
+        break;
+      case Node::Kind::symbol: {
+        const auto symbol = ring->symbol(node.text);
+        if (!symbol) throw Unfit("'" + node.text + "' is neither a number nor a bound variable");
+        value = *symbol;
+        break;
+      }
+      case Node::Kind::sum:
+        for (const Term operand : node.operands) value = value + done.at(operand);
+        break;
+      case Node::Kind::product:
+        for (const Term operand : node.operands) value = value * done.at(operand);
+        break;
+      case Node::Kind::power:
+        value = done.at(node.operands[0]).pow(node.exponent);
+        break;
+    }
+    done.emplace(i, value);
+  }
+  return done.at(term);
+}
+
+Polynomial Workshop::adjoin(const exact::Univariate& squarefree,
+                            const exact::RootInterval& where) {
+  const exact::Univariate f = exact::irreducible_factor(squarefree, where);
+  if (exact::degree(f) == 1) return -f[0];
+  const auto bracket = exact::bracket(f, where);
+  std::string name;
+  for (int i = 1; name.empty() || generators_.contains(name); ++i)
+    name = "root(" + std::to_string(i) + ")";
+  std::vector<Term> terms;
+  const Term symbol = add({Node::Kind::symbol, name, {}, 0});
+  for (int i = 0; i <= exact::degree(f); ++i) {
+    if (f[i].is_zero()) continue;
+    const Term power = add({Node::Kind::power, "", {symbol}, i});
+    terms.push_back(add({Node::Kind::product, "", {write(f[i]), power}, 0}));
+  }
+  evidence_->generators.push_back({name, add({Node::Kind::sum, "", terms, 0}),
+                                   bracket.low.get_str(), bracket.high.get_str()});
+  tower_ = exact::adjoin(f, name, bracket);
+  generators_.insert(name);
+  rings_.clear();
+  expanded_.clear();
+  return *numbers()->symbol(name);
+}
+
+Term Workshop::add(Node node) {
+  std::string key = std::to_string(static_cast<int>(node.kind)) + node.text + "^" +
+                    std::to_string(node.exponent);
+  for (const Term operand : node.operands) key += " " + std::to_string(operand);
+  const auto next = static_cast<Term>(statement_->nodes.size() + evidence_->nodes.size());
+  const auto [place, is_new] = written_.emplace(std::move(key), next);
+  if (is_new) evidence_->nodes.push_back(std::move(node));
+  return place->second;
+}
+
+Term Workshop::write(const Rational& value) {
+  return add({Node::Kind::constant, value.get_str(), {}, 0});
+}
+
+Term Workshop::negated(Term term) {
+  return add({Node::Kind::product, "", {write(Rational(-1)), term}, 0});
+}
+
+Term Workshop::write(const Polynomial& polynomial) {
+  const auto [terms, denominator] = polynomial.numerators();
+  const auto& variables = polynomial.ring().variables();
+  const auto steps = exact::steps(polynomial.ring().tower());
+  std::vector<Term> sum;
+  for (const auto& [exponents, coordinates] : terms) {
+    for (std::size_t index = 0; index < coordinates.size(); ++index) {
+      if (coordinates[index] == 0) continue;
+      Rational coefficient(coordinates[index], denominator);
+      coefficient.canonicalize();
+      std::vector<Term> factors;
+      const auto multiply = [&](const std::string& symbol, int exponent) {
+        if (exponent == 0) return;
+        const Term base = add({Node::Kind::symbol, symbol, {}, 0});
+        factors.push_back(
+            exponent == 1 ? base : add({Node::Kind::power, "", {base}, exponent}));
+      };
+      std::size_t rest = index;
+      for (const exact::Tower* step : steps) {
+        const int exponent = static_cast<int>(rest % step->degree());
+        rest /= step->degree();
+        for (int k = 0; k < exponent; ++k) coefficient *= step->scale();
+        multiply(step->symbol(), exponent);
+      }
+      for (std::size_t v = 0; v < variables.size(); ++v) multiply(variables[v], exponents[v]);
+      if (factors.empty() || coefficient != 1)
+        factors.insert(factors.begin(), write(coefficient));
+      sum.push_back(factors.size() == 1 ? factors[0]
+                                        : add({Node::Kind::product, "", factors, 0}));
+    }
+  }
+  if (sum.empty()) return write(Rational(0));
+  return sum.size() == 1 ? sum[0] : add({Node::Kind::sum, "", sum, 0});
+}
+
+}  // namespace seam::prove

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "exact/roots.h"
+#include "prove/prove.h"
+
+namespace seam::prove {
+
+/// The statement is not well formed: a symbol is neither number nor variable of its obligation.
+struct Unfit : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// A statement being worked on: its numbers as a tower, its terms as polynomials, and the evidence as
+/// it is written. Numbers that a proof needs beyond those of the statement become generators of the
+/// evidence, so the tower may grow; rings made before stay valid, over the tower of their time.
+class Workshop {
+ public:
+  Workshop(const certificate::Statement&, certificate::Evidence&, const Budget&);
+
+  const certificate::Statement& statement() const { return *statement_; }
+  const Budget& budget() const { return *budget_; }
+  bool late() const { return std::chrono::steady_clock::now() >= budget_->deadline; }
+
+  const exact::TowerPtr& tower() const { return tower_; }
+  exact::RingPtr numbers() const { return ring({}); }
+  /// Over the present tower.
+  exact::RingPtr ring(const std::vector<std::string>& variables) const;
+
+  /// The variables of a term, generators left out.
+  std::set<std::string> variables(certificate::Term) const;
+  /// A term as an element of the ring in these variables; they hold all of the term's.
+  exact::Polynomial expand(certificate::Term, const std::vector<std::string>& variables);
+  exact::Polynomial number(certificate::Term term) { return expand(term, {}); }
+
+  /// The root as a number over the present tower, which grows by it if need be. The polynomial is squarefree.
+  exact::Polynomial adjoin(const exact::Univariate& squarefree, const exact::RootInterval&);
+
+  /// Terms of the evidence.
+  certificate::Term write(const exact::Rational&);
+  certificate::Term write(const exact::Polynomial&);
+  certificate::Term negated(certificate::Term);
+
+ private:
+  using Key = std::vector<std::string>;
+  void accept(const certificate::Generator&);
+  certificate::Term add(certificate::Node);
+
+  const certificate::Statement* statement_;
+  certificate::Evidence* evidence_;
+  const Budget* budget_;
+  exact::TowerPtr tower_;
+  std::set<std::string> generators_;
+  std::vector<std::set<std::string>> symbols_;  ///< of each node of the statement
+  mutable std::map<Key, exact::RingPtr> rings_;
+  std::map<Key, std::map<certificate::Term, exact::Polynomial>> expanded_;
+  std::map<std::string, certificate::Term> written_;  ///< by the text of the node
+};
+
+}  // namespace seam::prove

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/latex.h"
+
+#include <algorithm>
+
+#include "report/escape.h"
+#include "report/figure.h"
+#include "report/glossary.h"
+#include "report/latex_claim.h"
+#include "report/latex_front.h"
+#include "report/latex_macro.h"
+#include "report/mathematics.h"
+#include "report/style.h"
+
+namespace seam::report {
+namespace {
+
+std::string latex_item(const SectionRun& section) {
+  return latex_heading(escape(section.title));
+}
+
+std::string latex_item(const DefinitionRun& definition) {
+  return "\\begin{SeamIndent}\n" + latex_note(definition.comments) +
+         latex_call("SeamFormula", {mathematics(definition.latex)}) + "\\end{SeamIndent}\n";
+}
+
+std::string latex_item(const ClaimRun& claim) {
+  return latex_claim(claim);
+}
+
+std::string latex_item(const TableRun& table) {
+  std::size_t columns = table.labels.size();
+  for (const TableRun::Row& row : table.rows) columns = std::max(columns, row.cells.size());
+  std::string result = "\\SeamBand{black}{\\texttt{\\textbf{" + escape(table.id) + "}}\\quad " +
+                       escape(table.title) + "}{\\textcolor{quiet}{" + escape(table.at) +
+                       "}}\n\\begin{SeamIndent}\n";
+  result += latex_note(table.comments);
+  result += "\\begin{tabular}{@{}l*{" + std::to_string(columns) + "}{r}@{}}\\toprule\n";
+  for (const std::string& label : table.labels) result += " & " + escape(label);
+  result += "\\\\\\midrule\n";
+  for (const TableRun::Row& row : table.rows) {
+    result += escape(row.label);
+    for (std::size_t i = 0; i < row.cells.size(); ++i)
+      result += " & " + (i < row.printed.size() ? escape(row.printed[i]) : std::string()) +
+                "\\,\\SeamMark{" + word(row.cells[i].printed.verdict) + "}";
+    result += "\\\\\n";
+  }
+  result += "\\bottomrule\\end{tabular}\n\\end{SeamIndent}\n";
+  for (const TableRun::Row& row : table.rows)
+    for (const ClaimRun& cell : row.cells) result += latex_claim(cell);
+  return result;
+}
+
+std::string latex_item(const FigureRun& figure) {
+  const std::string drawn = picture(figure);
+  if (drawn.empty()) return "";
+  return drawn + "\\begin{center}\\small " + escape(figure.title) +
+         (figure.coloured_by.empty() ? "" : ", coloured by " + escape(figure.coloured_by)) +
+         ". \\textcolor{quiet}{A picture; it proves nothing.}\\end{center}\n";
+}
+
+std::string latex_item(const AskRun& ask) {
+  std::string result =
+      latex_call("SeamQuestion",
+                 {escape(ask.id), ask.decimal.empty() ? "no answer" : "value"}) +
+      "\\begin{SeamIndent}\n";
+  std::string value = mathematics(ask.latex);
+  if (!ask.closed_form_latex.empty()) value += " = " + mathematics(ask.closed_form_latex);
+  result += latex_call("SeamFormula", {value});
+  if (!ask.decimal.empty())
+    result += latex_call("SeamLine", {"certified decimal", escape(ask.decimal)});
+  if (!ask.detail.empty()) result += latex_call("SeamLine", {"reason", escape(ask.detail)});
+  return result + "\\end{SeamIndent}\n";
+}
+
+std::string predicates(const Run& run) {
+  std::vector<std::string> used;
+  for (const FileRun& file : run.files)
+    for (const ClaimRun* claim : claims(file))
+      used.insert(used.end(), claim->predicates.begin(), claim->predicates.end());
+  std::string result;
+  for (const GlossaryEntry& entry : glossary(used))
+    result += "\\item[\\texttt{" + escape(entry.predicate) + "}] " + entry.latex + "\n";
+  return result;
+}
+
+std::string closing(const Run& run) {
+  std::string result = latex_heading("Glossary") + "\\begin{description}\\raggedright\n";
+  result +=
+      "\\item[\\SeamVerdict{proven}] There is a certificate that the independent checker "
+      "accepted.\n"
+      "\\item[\\SeamVerdict{refuted}] There is an exact witness that the checker accepted.\n"
+      "\\item[\\SeamVerdict{conditional}] Proven from a claim that is itself not proven.\n"
+      "\\item[\\SeamVerdict{undecided}] Neither; the reason is given with the claim.\n" +
+      predicates(run) + "\\end{description}\n";
+  return result +
+         "Whether a claim was turned into the right obligations is for a person to judge; "
+         "that they hold or fail is what the certificates show. To have them judged again: "
+         "\\texttt{seamproof-check}, with the folder of this report.\\par\n";
+}
+
+}  // namespace
+
+std::string latex(const Run& run) {
+  std::string result(style);
+  result += "\\title{" +
+            escape(run.files.empty()            ? run.tool
+                   : run.files[0].paper.empty() ? run.files[0].file
+                                                : run.files[0].paper) +
+            "}\n\\begin{document}\n";
+  for (const FileRun& file : run.files) {
+    if (&file != run.files.data()) result += "\\clearpage\n";
+    result += latex_front(file, run.tool) + latex_errata(file);
+    for (const ItemRun& item : file.items)
+      result += std::visit([](const auto& it) { return latex_item(it); }, item);
+  }
+  return result + closing(run) + "\\end{document}\n";
+}
+
+}  // namespace seam::report

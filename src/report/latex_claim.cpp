@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/latex_claim.h"
+
+#include <algorithm>
+
+#include "report/escape.h"
+#include "report/latex_macro.h"
+#include "report/mathematics.h"
+
+namespace seam::report {
+namespace {
+
+constexpr std::size_t longest_obligation = 1500;  // bytes; beyond, the certificate has it
+constexpr std::size_t most_evidence = 3;  // different lines of evidence shown for a group
+
+const char* name(ObligationRun::Status status) {
+  switch (status) {
+    case ObligationRun::Status::holds:
+      return "holds";
+    case ObligationRun::Status::fails:
+      return "fails";
+    case ObligationRun::Status::open:
+      break;
+  }
+  return "open";
+}
+
+// Obligations that are alike but for their formulas: one line in the report.
+struct Group {
+  const ObligationRun* first;
+  int count = 1;
+  std::vector<std::string> evidence;  // the different ones
+};
+
+bool alike(const ObligationRun& a, const ObligationRun& b) {
+  return a.about == b.about && a.kind == b.kind && a.guard == b.guard && a.status == b.status;
+}
+
+std::vector<Group> grouped(const std::vector<ObligationRun>& obligations) {
+  std::vector<Group> groups;
+  for (const ObligationRun& obligation : obligations) {
+    auto group = std::ranges::find_if(
+        groups, [&](const Group& g) { return alike(*g.first, obligation); });
+    if (group == groups.end()) group = groups.insert(group, {&obligation, 0, {}});
+    ++group->count;
+    if (std::ranges::find(group->evidence, obligation.evidence) == group->evidence.end())
+      group->evidence.push_back(obligation.evidence);
+  }
+  return groups;
+}
+
+std::string evidence_of(const Group& group) {
+  std::vector<std::string> shown;
+  for (const std::string& line : group.evidence)
+    if (shown.size() < most_evidence) shown.push_back(escape(line));
+  if (group.evidence.size() > most_evidence)
+    shown.push_back("and " + std::to_string(group.evidence.size() - most_evidence) +
+                    " other proofs of this kind");
+  return joined(shown, "; ");
+}
+
+std::string latex_group(const Group& group) {
+  const ObligationRun& first = *group.first;
+  std::string words = escape(first.about.empty() ? first.kind : first.about);
+  if (first.guard) words += " \\textcolor{quiet}{(so that the formulas mean something)}";
+  if (group.count > 1)
+    words += " \\textcolor{quiet}{--- " + std::to_string(group.count) + " of this kind}";
+  std::string result =
+      latex_call("SeamObligation", {name(first.status), words, evidence_of(group)});
+  const std::string shown = first.latex.empty() ? first.text : first.latex;
+  if (shown.size() > longest_obligation)
+    return result + latex_call("SeamTrace", {"its formula is long; the certificate holds it"});
+  if (group.count > 1 && !shown.empty())
+    result += latex_call("SeamTrace", {"the first of them:"}) + "\\nobreak\n";
+  if (!first.latex.empty())
+    result += latex_call("SeamFormula", {mathematics(first.latex)});
+  else if (!first.text.empty())
+    result += latex_call("SeamSource", {escape(first.text)});
+  return result;
+}
+
+std::string latex_obligations(const std::vector<ObligationRun>& obligations) {
+  if (obligations.empty()) return "";
+  std::string result = "\\begin{SeamObligations}\n";
+  for (const Group& group : grouped(obligations)) result += latex_group(group);
+  return result + "\\end{SeamObligations}\n";
+}
+
+std::string latex_trace(const Outcome& outcome, const std::vector<std::string>& using_claims) {
+  const auto labelled = [](const std::string& label, const std::string& text) {
+    return text.empty() ? "" : label + " \\texttt{" + escape(text) + "}";
+  };
+  std::vector<std::string> methods;
+  for (const std::string& method : outcome.method) methods.push_back(escape(method));
+  const std::string trace =
+      joined({joined(methods, ", "), labelled("rests on", joined(using_claims, ", ")),
+              labelled("certificate", outcome.certificate)},
+             " $\\cdot$ ");
+  return trace.empty() ? "" : latex_call("SeamTrace", {trace});
+}
+
+std::string latex_outcome(const Outcome& outcome,
+                          const std::vector<std::string>& using_claims) {
+  std::string result = latex_call("SeamFormula", {mathematics(outcome.latex)});
+  if (!outcome.alarm.empty())
+    result += latex_call("SeamAlarm", {"The checker objects: " + escape(outcome.alarm)});
+  if (!outcome.witness.empty())
+    result += latex_call("SeamLine", {"witness", escape(outcome.witness)});
+  const std::string reason = joined({escape(outcome.reason), escape(outcome.detail)}, ": ");
+  if (!reason.empty()) result += latex_call("SeamLine", {"reason", reason});
+  return result + latex_obligations(outcome.obligations) + latex_trace(outcome, using_claims);
+}
+
+}  // namespace
+
+std::string latex_anchor(const ClaimRun& claim) {
+  std::string anchor = "claim.";
+  for (const char c : claim.id) anchor += std::to_string(static_cast<unsigned char>(c)) + ".";
+  return anchor;
+}
+
+std::string latex_claim(const ClaimRun& claim) {
+  std::string result =
+      latex_call("SeamClaim", {word(claim.printed.verdict), latex_anchor(claim),
+                               escape(claim.id), escape(claim.title), escape(claim.at)});
+  result += "\\begin{SeamIndent}\n";
+  result += latex_note(claim.comments);
+  if (claim.printed.verdict != claim.expected)
+    result +=
+        latex_call("SeamLine", {"expected", latex_call("SeamVerdict", {word(claim.expected)})});
+  result += latex_outcome(claim.printed, claim.using_claims);
+  if (claim.corrected) {
+    result += latex_call(
+        "SeamLine", {"corrected", latex_call("SeamVerdict", {word(claim.corrected->verdict)})});
+    result += latex_outcome(*claim.corrected, {});
+  }
+  return result + "\\end{SeamIndent}\n";
+}
+
+}  // namespace seam::report

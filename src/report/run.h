@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "certificate/evidence.h"
+
+// A finished run as plain data: all that any report says, and nothing to be decided
+// any more. `latex` is mathematics without dollar signs; all other text is plain UTF-8.
+namespace seam::report {
+
+using certificate::Verdict;
+
+/// One obligation that a statement was turned into, as the checker left it.
+struct ObligationRun {
+  enum class Status { holds, fails, open };
+  std::string about;   ///< `equal tangent planes along the seam`; may be empty
+  std::string kind;    ///< `zero`, `sign`, `solutions`, `gluing`, `distinct`
+  std::string latex;   ///< what it says; may be empty
+  std::string text;    ///< the same for a terminal; may be empty
+  bool guard = false;  ///< says only that the formulas mean something
+  Status status = Status::open;
+  std::string evidence;  ///< in a line: `subdivision, 37 pieces`
+};
+
+/// A statement and what became of it.
+struct Outcome {
+  std::string latex;  ///< the statement, from its own syntax tree
+  std::string text;   ///< the statement as canonical source text
+  Verdict verdict = Verdict::undecided;
+  std::string reason;   ///< undecided: `time memory effort unsupported degenerate assumption`
+  std::string detail;   ///< undecided, conditional: a sentence
+  std::string witness;  ///< refuted: `u = 0: (0, 0, -144) != (0, 0, 0)`
+  std::string alarm;    ///< the checker's objection to the prover's evidence; empty: none
+  std::vector<std::string> method;  ///< `normal form`, `subdivision`
+  std::vector<ObligationRun> obligations;
+  std::string digest;       ///< of what was judged
+  std::string certificate;  ///< path, relative to the report's folder; empty: none written
+};
+
+struct ClaimRun {
+  std::string id, title, at;          ///< `at`: `§6`
+  std::vector<std::string> comments;  ///< the comment lines above it in the file
+  Outcome printed;                    ///< the statement as the paper prints it
+  std::optional<Outcome> corrected;
+  Verdict expected = Verdict::proven;  ///< refuted where there is a correction
+  std::vector<std::string> using_claims;
+  std::vector<std::string> predicates;  ///< names of the predicates it uses: `G1`
+  double seconds = 0;                   ///< for the terminal; never in a file
+};
+
+struct SectionRun {
+  std::string title;
+};
+
+/// A `let`, `param`, `root` or `define`: what the claims speak of.
+struct DefinitionRun {
+  std::string latex;
+  std::vector<std::string> comments;
+};
+
+/// A printed table; each cell is a claim with the id `tableid.row.column`.
+struct TableRun {
+  struct Row {
+    std::string label, latex;  ///< as printed; the expression
+    std::vector<ClaimRun> cells;
+    std::vector<std::string> printed = {};  ///< the values as printed, one a cell; may be empty
+  };
+  std::string id, title, at;
+  std::vector<std::string> labels;  ///< of the columns; may be empty
+  std::vector<std::string> comments;
+  std::vector<Row> rows;
+};
+
+/// A picture: proves nothing, so it may hold rounded numbers.
+struct FigureRun {
+  struct Facet {
+    std::array<std::array<double, 3>, 3> corners;  ///< counterclockwise from outside
+    double value = 0;                              ///< what it is coloured by
+  };
+  std::string title;
+  std::string coloured_by;  ///< `gauss`; empty: nothing, and `value` means nothing
+  std::vector<Facet> facets;
+};
+
+/// A question and its certified answer.
+struct AskRun {
+  std::string id, latex, text;
+  std::string decimal;      ///< every digit certified; empty: no answer
+  std::string closed_form;  ///< plain text; empty: none found
+  std::string closed_form_latex;
+  std::string detail;  ///< why there is no answer
+  double seconds = 0;
+};
+
+using ItemRun = std::variant<SectionRun, DefinitionRun, ClaimRun, TableRun, FigureRun, AskRun>;
+
+struct FileRun {
+  std::string file;  ///< its name without folders
+  std::string paper, by, source, year;
+  std::string sha256;          ///< of its bytes
+  std::vector<ItemRun> items;  ///< in file order
+};
+
+struct Run {
+  std::string tool;  ///< `seamproof 0.1.0`
+  std::vector<FileRun> files;
+};
+
+struct Summary {
+  int claims = 0, proven = 0, refuted = 0, conditional = 0, undecided = 0, as_expected = 0;
+};
+
+/// The claims of a file in file order, the cells of tables among them.
+std::vector<const ClaimRun*> claims(const FileRun&);
+
+/// The verdict is the expected one, and the correction, where there is one, is proven.
+bool as_expected(const ClaimRun&);
+
+Summary summarize(const FileRun&);
+Summary summarize(const Run&);
+
+/// The exit status of docs/command-line.md: 3 if the checker objected to any evidence, else 1
+/// if a decided claim is not as expected, else 2 if an undecided or conditional one is not (0
+/// with `allow_undecided`), else 0.
+int exit_status(const Run&, bool allow_undecided = false);
+
+/// `proven`, `refuted`, `conditional`, `undecided`.
+const char* word(Verdict);
+
+}  // namespace seam::report

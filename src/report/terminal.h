@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "report/run.h"
+
+namespace seam::report {
+
+enum class Colour { automatic, always, never };
+
+/// Whether to colour: `automatic` does so on a terminal, unless NO_COLOR is set and not empty.
+bool wants_colour(Colour, bool is_terminal, const char* no_color);
+
+/// `✗ refuted    ID  witness  0.12 s`: shape and word of the verdict, the id, the reason or the
+/// witness, what became of a correction, and what was expected if it was something else. One
+/// line, with its end.
+std::string line(const ClaimRun&, bool colour);
+
+/// `= ID  decimal  (closed form)  0.12 s`.
+std::string line(const AskRun&, bool colour);
+
+/// `61 claims: 55 proven, 6 refuted, 0 conditional, 0 undecided; 61 as expected`.
+std::string line(const Summary&, bool colour);
+
+/// The lines of all claims and questions in file order, then the summary.
+std::string terminal(const Run&, bool colour);
+
+/// `✓`, `✗`, `◐`, `?`.
+const char* shape(Verdict);
+
+}  // namespace seam::report

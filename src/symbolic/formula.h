@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "exact/rational.h"
+
+namespace seam::symbolic {
+
+struct Fact;
+
+/// A formula was about to be nested deeper than any walk should go (5000 levels).
+struct TooDeep : std::runtime_error {
+  TooDeep() : std::runtime_error("a formula is nested too deeply") {}
+};
+
+/// A polynomial expression in named symbols (variables, parameters, generators), as it was written: an
+/// immutable shared tree, never expanded. Building costs O(1); only constants are folded.
+///
+/// The names of generators (numbers such as `sqrt(5)`) hold a parenthesis; those of variables do not.
+class Formula {
+ public:
+  enum class Kind { constant, symbol, sum, product, power, known };
+
+  Formula(long value = 0);
+  explicit Formula(exact::Rational value);
+  static Formula symbol(std::string name);
+
+  /// Stands for `value`, and rests on `facts`: a quotient or a root that was worked out.
+  /// Whoever exports the formula exports the facts as guards.
+  static Formula known(Formula value, std::vector<Fact> facts);
+
+  Kind kind() const;
+  const exact::Rational& value() const;           ///< of a constant
+  const std::string& name() const;                ///< of a symbol
+  const std::vector<Formula>& operands() const;   ///< sum, product; power: the base; known: the value
+  int exponent() const;                           ///< of a power, >= 0
+  const std::vector<Fact>& facts() const;         ///< of a known value
+
+  bool is_constant() const { return kind() == Kind::constant; }
+  bool is(long value) const;
+
+  /// Equal as trees. O(1) when shared or when the hashes differ.
+  bool same(const Formula& other) const;
+  const void* identity() const { return node_.get(); }
+
+  friend Formula operator+(const Formula& a, const Formula& b);
+  friend Formula operator-(const Formula& a, const Formula& b);
+  friend Formula operator-(const Formula& a);
+  friend Formula operator*(const Formula& a, const Formula& b);
+  Formula& operator+=(const Formula& b) { return *this = *this + b; }
+  Formula& operator-=(const Formula& b) { return *this = *this - b; }
+  Formula& operator*=(const Formula& b) { return *this = *this * b; }
+
+ private:
+  struct Node;
+  explicit Formula(std::shared_ptr<const Node> node) : node_(std::move(node)) {}
+  friend Formula sum(std::vector<Formula>);
+  friend Formula product(std::vector<Formula>);
+  friend Formula power(const Formula&, int);
+  std::shared_ptr<const Node> node_;
+};
+
+Formula sum(std::vector<Formula> terms);
+Formula product(std::vector<Formula> factors);
+Formula power(const Formula& base, int exponent);  ///< exponent >= 0
+
+/// The derivative with respect to a symbol. Facts stay with the values they belong to.
+Formula diff(const Formula&, const std::string& symbol);
+
+/// Every occurrence of a symbol in the map replaced, all at once.
+Formula subst(const Formula&, const std::map<std::string, Formula>&);
+
+/// The symbols that occur, generators included; those in facts do not count.
+std::set<std::string> symbols(const Formula&);
+std::set<std::string> variables(const Formula&);   ///< symbols that are not generators
+bool is_number(const Formula&);                    ///< no variables
+bool is_generator(const std::string& name);
+
+/// Infix text, for messages: `3*u^2 + sqrt(5)*v`; past `most` bytes it breaks off with `...` (a shared
+/// formula may be far longer as text).
+std::string text(const Formula&, std::size_t most = 100'000);
+
+/// f relation 0.
+struct Fact {
+  enum class Relation { zero, nonzero, nonnegative };
+  Formula formula;
+  Relation relation;
+};
+
+using Point = std::vector<Formula>;  ///< a vector of coordinates
+
+}  // namespace seam::symbolic

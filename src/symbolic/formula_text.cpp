@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "symbolic/formula.h"
+
+// Ends soon although a shared formula may have exponentially many occurrences: nothing is written
+// past the bound.
+
+namespace seam::symbolic {
+namespace {
+
+enum class Around { sum, product, power };
+
+class Writer {
+ public:
+  explicit Writer(std::size_t most) : most_(most) {}
+
+  void write(const Formula& f, Around around) {
+    if (text_.size() > most_) return;
+    switch (f.kind()) {
+      case Formula::Kind::constant: {
+        const std::string digits = f.value().get_str();
+        const bool plain = digits.find_first_of("-/") == std::string::npos;
+        return wrapped(!plain && around != Around::sum, [&] { text_ += digits; });
+      }
+      case Formula::Kind::symbol: text_ += f.name(); return;
+      case Formula::Kind::known: return write(f.operands()[0], around);
+      case Formula::Kind::power:
+        return wrapped(around == Around::power, [&] {
+          write(f.operands()[0], Around::power);
+          text_ += "^" + std::to_string(f.exponent());
+        });
+      case Formula::Kind::product: return wrapped(around == Around::power, [&] { write_product(f); });
+      case Formula::Kind::sum: return wrapped(around != Around::sum, [&] { write_sum(f); });
+    }
+  }
+
+  std::string result() && {
+    if (text_.size() > most_) text_.replace(most_, std::string::npos, "...");
+    return std::move(text_);
+  }
+
+ private:
+  template <class Inner>
+  void wrapped(bool needed, const Inner& inner) {
+    if (needed) text_ += "(";
+    inner();
+    if (needed) text_ += ")";
+  }
+
+  void write_product(const Formula& f) {
+    const char* separator = "";
+    for (const Formula& factor : f.operands()) {
+      if (factor.is(-1) && *separator == '\0') {
+        text_ += "-";
+        continue;
+      }
+      text_ += separator;
+      write(factor, Around::product);
+      separator = "*";
+    }
+  }
+
+  static bool is_negative(const Formula& term) {
+    const bool product = term.kind() == Formula::Kind::product;
+    const Formula& first = product ? term.operands()[0] : term;
+    return first.is_constant() && first.value() < 0;
+  }
+
+  void write_sum(const Formula& f) {
+    bool first = true;
+    for (const Formula& term : f.operands()) {
+      const bool negative = !first && is_negative(term);
+      if (!first) text_ += negative ? " - " : " + ";
+      write(negative ? -term : term, Around::sum);
+      first = false;
+    }
+  }
+
+  std::size_t most_;
+  std::string text_;
+};
+
+}  // namespace
+
+std::string text(const Formula& f, std::size_t most) {
+  Writer writer(most);
+  writer.write(f, Around::sum);
+  return std::move(writer).result();
+}
+
+}  // namespace seam::symbolic

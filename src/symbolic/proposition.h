@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "certificate/statement.h"
+#include "symbolic/formula.h"
+
+// Statements about formulas: what claims and predicates are turned into before they
+// become obligations. Each type mirrors one of certificate/statement.h.
+namespace seam::symbolic {
+
+using certificate::Gluing;
+using certificate::Relation;
+
+/// See certificate::Simplex. Coordinates are constant formulas, the weight first.
+struct Simplex {
+  std::vector<std::string> variables;
+  std::vector<Point> corners;
+  std::vector<bool> open;
+};
+
+/// [low, high], ends excluded where `open`.
+Simplex interval(const std::string& variable, const Formula& low, const Formula& high,
+                 bool open_low = false, bool open_high = false);
+Simplex whole_line_right(const std::string& variable, const Formula& from, bool open);  ///< from .. infinity
+Simplex whole_line_left(const std::string& variable, const Formula& to, bool open);     ///< -infinity .. to
+/// u, v >= 0, u + v <= 1 (and likewise for more variables); `interior`: without the boundary.
+Simplex standard_simplex(const std::vector<std::string>& variables, bool interior = false);
+
+struct Constraint {
+  Formula formula;
+  Relation relation;
+};
+
+struct Domain {
+  std::vector<Simplex> factors;
+  std::vector<Constraint> where;
+};
+
+/// Identically zero in all its variables.
+struct Zero {
+  Formula formula;
+};
+/// formula relation 0 on the domain; without factors: a statement about a number.
+struct Sign {
+  Formula formula;
+  Relation relation;
+  Domain domain;
+};
+struct Solutions {
+  std::vector<Formula> system;
+  std::string unknown;
+  std::vector<std::string> for_all;
+  Simplex domain;
+  std::vector<Formula> exact;                                    ///< either these
+  std::vector<std::pair<exact::Rational, exact::Rational>> near; ///< or these
+};
+struct Distinct {
+  std::vector<Point> tuples;
+};
+
+/// A combination of such statements, with a few words on what each part is about (for the
+/// report: "equal tangent planes along the seam").
+struct Proposition {
+  enum class Kind { all, any, negation, atom };
+  Kind kind = Kind::all;
+  std::string about;
+  std::vector<Proposition> parts;
+  std::variant<Zero, Sign, Solutions, Gluing, Distinct> atom;
+};
+
+Proposition all(std::vector<Proposition> parts, std::string about = {});
+Proposition any(std::vector<Proposition> parts, std::string about = {});
+Proposition negation(Proposition part, std::string about = {});
+Proposition atom(std::variant<Zero, Sign, Solutions, Gluing, Distinct> statement, std::string about = {});
+
+Proposition truth();      ///< all of nothing
+Proposition falsehood();  ///< any of nothing
+
+}  // namespace seam::symbolic

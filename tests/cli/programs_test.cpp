@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What docs/command-line.md promises to users and scripts.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "process.h"
+
+namespace seam::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Programs : public testing::Test {
+ protected:
+  Programs() {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    write("right.seam", "claim a: 1 + 1 = 2\n");
+    write("wrong.seam", "claim a: 1 + 1 = 3\n");
+    write("known.seam", "claim a: 1 + 1 = 3\n    expect refuted\n");
+    write("broken.seam", "claim a: 1 + = 3\n");
+  }
+  ~Programs() override { fs::remove_all(folder_); }
+
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name) << text;
+  }
+  std::string read(const std::string& name) const {
+    std::ifstream file(folder_ / name);
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  }
+  Finished in_folder(const std::string& line) const {
+    return run("cd " + quoted(folder_.string()) + " && " + line);
+  }
+  Finished seamproof(const std::string& words) const {
+    return in_folder(quoted(SEAMPROOF) + " " + words);
+  }
+  Finished check(const std::string& words) const {
+    return in_folder(quoted(SEAMPROOF_CHECK) + " " + words);
+  }
+
+  fs::path folder_ = fs::path(testing::TempDir()) /
+                     (std::string("seamproof_") +
+                      testing::UnitTest::GetInstance()->current_test_info()->name());
+};
+
+TEST_F(Programs, the_exit_status_says_what_came_of_the_claims) {
+  EXPECT_EQ(seamproof("verify right.seam").status, 0);
+  EXPECT_EQ(seamproof("verify known.seam").status, 0);
+  EXPECT_EQ(seamproof("verify wrong.seam").status, 1);
+}
+
+TEST_F(Programs, the_exit_status_says_what_was_wrong_with_the_input) {
+  EXPECT_EQ(seamproof("no-such-command").status, 64);
+  EXPECT_EQ(seamproof("verify").status, 64);
+  EXPECT_EQ(seamproof("verify broken.seam").status, 65);
+  EXPECT_EQ(seamproof("verify missing.seam").status, 66);
+}
+
+TEST_F(Programs, an_output_folder_that_cannot_be_made_gives_74) {
+  EXPECT_EQ(seamproof("verify right.seam --out right.seam/out").status, 74);
+}
+
+TEST_F(Programs, the_certificates_that_are_written_are_accepted) {
+  ASSERT_EQ(seamproof("verify right.seam --out out").status, 0);
+  EXPECT_EQ(check("out").status, 0);
+}
+
+TEST_F(Programs, the_outputs_are_the_same_when_made_again) {
+  ASSERT_EQ(seamproof("verify right.seam known.seam --out one --jobs 1").status, 0);
+  ASSERT_EQ(seamproof("verify right.seam known.seam --out two --jobs 2").status, 0);
+  EXPECT_EQ(in_folder("diff -r one two").output, "");
+}
+
+TEST_F(Programs, the_checker_sees_the_statements_that_the_claims_say) {
+  ASSERT_EQ(seamproof("verify right.seam --out out").status, 0);
+  const std::string digest = seamproof("obligations right.seam").output.substr(0, 16);
+  EXPECT_NE(check("out").output.find(digest), std::string::npos) << digest;
+}
+
+TEST_F(Programs, a_certificate_for_another_claim_does_not_pass_for_this_one) {
+  ASSERT_EQ(seamproof("verify right.seam --out right").status, 0);
+  ASSERT_EQ(seamproof("verify known.seam --out known").status, 0);
+  std::string forged = read("known/certificates/a.json");
+  const std::size_t at = forged.find("\"refuted\"");
+  ASSERT_NE(at, std::string::npos);
+  write("forged.json", forged.replace(at, 9, "\"proven\""));
+  EXPECT_NE(check("forged.json").status, 0);
+}
+
+TEST_F(Programs, the_checker_takes_no_nonsense_and_does_not_crash) {
+  for (const std::string text :
+       {"", "{}", "[[[[", "{\"format\": \"seamproof certificate 1\"}", "\xFF\xFE"}) {
+    write("nonsense.json", text);
+    const int status = check("nonsense.json").status;
+    EXPECT_NE(status, 0) << text;
+    EXPECT_LT(status, 128) << text;
+  }
+  EXPECT_EQ(check("missing.json").status, 66);
+}
+
+TEST_F(Programs, json_goes_to_standard_output_alone) {
+  const Finished finished = seamproof("verify right.seam --json - 2>/dev/null");
+  EXPECT_EQ(finished.output.substr(0, 1), "{");
+  EXPECT_NE(finished.output.find("\"verdict\": \"proven\""), std::string::npos);
+}
+
+TEST_F(Programs, output_that_is_no_terminal_has_no_colours_unless_asked) {
+  EXPECT_EQ(seamproof("verify right.seam").output.find('\033'), std::string::npos);
+  EXPECT_NE(seamproof("verify right.seam --color always").output.find('\033'),
+            std::string::npos);
+}
+
+TEST_F(Programs, a_new_file_verifies) {
+  ASSERT_EQ(seamproof("new first").status, 0);
+  EXPECT_EQ(seamproof("verify first.seam").status, 0);
+}
+
+TEST_F(Programs, the_example_of_the_README_verifies) {
+  std::ifstream readme(PROJECT "/README.md");
+  std::string example;
+  bool inside = false;
+  for (std::string line; std::getline(readme, line);) {
+    if (line == "# first.seam") inside = true;
+    if (line == "```") inside = false;
+    if (inside) example += line + "\n";
+  }
+  ASSERT_FALSE(example.empty());
+  write("first.seam", example);
+  const Finished finished = seamproof("verify first.seam");
+  EXPECT_EQ(finished.status, 0) << finished.output;
+}
+
+}  // namespace
+}  // namespace seam::test
