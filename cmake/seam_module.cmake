@@ -39,4 +39,6 @@ endfunction()
 add_library(seam_flags INTERFACE)
 target_compile_features(seam_flags INTERFACE cxx_std_20)
 target_compile_options(seam_flags INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
+  # False alarms of GCC 12 in optimised code of std::string and Boost.Multiprecision (its bug 105651).
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-maybe-uninitialized>)

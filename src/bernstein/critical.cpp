@@ -7,8 +7,9 @@
 
 #include "exact/field.h"
 
-// At a critical point of n / d, with r = n / d there, the gradient of n - r d vanishes and its Hessian is d
-// times that of n / d. So Newton's step for n - r d, r taken anew each time, converges like Newton's method.
+// At a critical point of n / d, with r = n / d there, the gradient of n - r d vanishes and its
+// Hessian is d times that of n / d. So Newton's step for n - r d, r taken anew each time,
+// converges like Newton's method.
 
 namespace seam::bernstein {
 
@@ -41,7 +42,9 @@ Sketch::Jet Sketch::jet(const std::vector<double>& at) const {
   Jet jet{0, std::vector<double>(variables_, 0),
           std::vector<std::vector<double>>(variables_, std::vector<double>(variables_, 0))};
   for (const Term& term : terms_) {
-    const auto power = [&](std::size_t i) -> const Power& { return powers[i][term.exponents[i]]; };
+    const auto power = [&](std::size_t i) -> const Power& {
+      return powers[i][term.exponents[i]];
+    };
     double value = term.coefficient;
     for (std::size_t i = 0; i < variables_; ++i) value *= power(i).value;
     jet.value += value;

@@ -33,8 +33,8 @@ class Sketch {
 /// A direction in which a point may move, and stay in the face it is to lie in.
 using Direction = std::vector<double>;
 
-/// A critical point of numerator / denominator (1 if null) in the plane through `start` along the directions, by
-/// Newton's method; empty if it does not settle.
+/// A critical point of numerator / denominator (1 if null) in the plane through `start` along
+/// the directions, by Newton's method; empty if it does not settle.
 std::vector<double> critical_point(const Sketch& numerator, const Sketch* denominator,
                                    std::vector<double> start,
                                    const std::vector<Direction>& directions);

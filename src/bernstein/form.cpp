@@ -9,10 +9,11 @@
 
 // Why `part` is right.
 //
-//   Let b(m) be the coefficients with the binomials divided out, times degree!: the polynomial's polar form at m(0)
-//   times corner 0, m(1) times corner 1, .... Replacing one argument `corner` by p = sum w_j c_j
-//   gives sum w_j b(m - e_corner + e_j), by multilinearity. Round r does it for the r-th of the arguments,
-//   for all m with at least r of them; it reads entries with one fewer, so falling order works in place.
+//   Let b(m) be the coefficients with the binomials divided out, times degree!: the
+//   polynomial's polar form at m(0) times corner 0, m(1) times corner 1, .... Replacing one
+//   argument `corner` by p = sum w_j c_j gives sum w_j b(m - e_corner + e_j), by
+//   multilinearity. Round r does it for the r-th of the arguments, for all m with at least r of
+//   them; it reads entries with one fewer, so falling order works in place.
 
 namespace seam::bernstein {
 
@@ -55,21 +56,20 @@ Ball scaled(const Coordinates& number, const exact::TowerPtr& tower, long shift)
 
 }  // namespace
 
-Cut::Cut(std::vector<Polynomial> weights) : weights_(std::move(weights)) {
-  double sum = 0;
-  for (const Polynomial& w : weights_) {
+Cut::Cut(std::vector<Polynomial> weights, const std::vector<Integer>& totals)
+    : weights_(std::move(weights)) {
+  Polynomial sum = weights_.front().ring().constant(0);
+  for (std::size_t j = 0; j < weights_.size(); ++j)
+    sum = sum + exact::Rational(totals[j]) * weights_[j];
+  const Polynomial scale = exact::inverse(sum);
+  for (std::size_t j = 0; j < weights_.size(); ++j) {
+    const Polynomial& w = weights_[j];
     const auto numerators = w.numerators();
     exact::require(numerators.denominator == 1, "Cut: a weight that is not integral");
     const exact::TowerPtr& tower = w.ring().tower();
-    multipliers_.emplace_back(tower, w.is_zero() ? Coordinates(dimension(tower))
-                                                 : numerators.terms.begin()->second);
-    balls_.push_back(exact::ball(w));
-    sum += balls_.back().middle;
-  }
-  // The sum need not be 1 exactly: a positive factor common to all weights changes no sign.
-  for (Ball& b : balls_) {
-    b.middle /= sum;
-    b.radius = (b.radius / sum + std::abs(b.middle) * 0x1p-52) * inflate;
+    multipliers_.emplace_back(
+        tower, w.is_zero() ? Coordinates(dimension(tower)) : numerators.terms.begin()->second);
+    shares_.push_back(exact::ball(exact::Rational(totals[j]) * scale * w));
   }
 }
 
@@ -120,7 +120,7 @@ Form Form::part(int factor, int corner, const CutPtr& cut) const {
       Ball sum;
       for (int j = 0; j < s.corners(factor); ++j)
         if (cut->involves(j))
-          add_product(sum, node->balls[s.moved(index, factor, corner, j)], cut->balls_[j]);
+          add_product(sum, node->balls[s.moved(index, factor, corner, j)], cut->shares_[j]);
       node->balls[index] = sum;
     }
   return Form(std::move(node));

@@ -10,10 +10,15 @@
 
 namespace seam::bernstein {
 
-/// A point of a simplex, by weights of its corners: none negative, not all 0, integer coordinates.
+/// A point of a simplex, by weights of its corners: none negative, not all 0, integer
+/// coordinates.
+///
+/// Exactly, corners are as they come, and the new one is their weighted sum, so that all stays
+/// integral. In doubles every corner is divided by its total (the factor by which it exceeds a
+/// corner of total 1).
 class Cut {
  public:
-  explicit Cut(std::vector<exact::Polynomial> weights);
+  Cut(std::vector<exact::Polynomial> weights, const std::vector<exact::Integer>& totals);
 
   const std::vector<exact::Polynomial>& weights() const { return weights_; }
   bool involves(int corner) const { return !weights_[corner].is_zero(); }
@@ -22,24 +27,27 @@ class Cut {
   friend class Form;
   std::vector<exact::Polynomial> weights_;
   std::vector<exact::Multiplier> multipliers_;
-  std::vector<exact::Ball> balls_;  // of sum 1
+  std::vector<exact::Ball> shares_;  // weight * total, divided by their sum
 };
 using CutPtr = std::shared_ptr<const Cut>;
 
-/// A polynomial over a product of simplices, by the multiples (product of exponents)! * c of its coefficients c: up
-/// to one positive factor, its Bernstein coefficients. Taking another point for
-/// a corner is de Casteljau's algorithm, without division.
+/// A polynomial over a product of simplices, by the multiples (product of exponents)! * c of
+/// its coefficients c: up to one positive factor, its Bernstein coefficients. Taking another
+/// point for a corner is de Casteljau's algorithm, without division.
 ///
-/// Signs are decided by balls in doubles, exactly only where a ball holds 0. The exact coefficients
-/// are made when first needed, from those of the form it was cut from. Copies share.
+/// Signs are decided by balls in doubles, exactly only where a ball holds 0. The exact
+/// coefficients are made when first needed, from those of the form it was cut from. Copies
+/// share.
 class Form {
  public:
-  /// `polynomial`, in the barycentric coordinates as variables, factor by factor, homogeneous in each.
+  /// `polynomial`, in the barycentric coordinates as variables, factor by factor, homogeneous
+  /// in each.
   Form(const exact::Polynomial&, std::shared_ptr<const Shape>);
 
   const Shape& shape() const { return *node_->shape; }
 
-  /// Over the part in which the cut point takes the place of a corner. Requires `cut.involves(corner)`.
+  /// Over the part in which the cut point takes the place of a corner. Requires
+  /// `cut.involves(corner)`.
   Form part(int factor, int corner, const CutPtr&) const;
 
   /// Surely right when not "unknown"; quick.
@@ -63,6 +71,5 @@ class Form {
   explicit Form(std::shared_ptr<const Node> node) : node_(std::move(node)) {}
   std::shared_ptr<const Node> node_;
 };
-
 
 }  // namespace seam::bernstein

@@ -43,9 +43,9 @@ class Shape {
   std::vector<int> corners_, degrees_;
   int count_ = 1;
   std::vector<int> strides_;
-  std::vector<std::vector<std::vector<int>>> monomials_;         // [factor][local]
-  std::vector<std::vector<std::vector<int>>> moves_;             // [factor][local][from * n + to]
-  std::vector<std::vector<std::vector<Ranked>>> ranked_;         // [factor][corner]
+  std::vector<std::vector<std::vector<int>>> monomials_;  // [factor][local]
+  std::vector<std::vector<std::vector<int>>> moves_;      // [factor][local][from * n + to]
+  std::vector<std::vector<std::vector<Ranked>>> ranked_;  // [factor][corner]
 };
 
 }  // namespace seam::bernstein

@@ -86,6 +86,11 @@ struct Witness {
 /// Intervals: `divisor` changes sign over each [low, high] and its derivative is != 0 there
 /// (`inside`, one tree each), every [low, high] lies in the domain, and divisor != 0 on the parts of the domain
 /// between and beside them (`outside`, one tree each, ascending).
+/// A part that is a single point takes an entry of `outside` too, which nobody reads. The corners of a part are
+/// in ascending order: those of the domain as they are given there, ends of intervals as (1, end).
+/// Over a domain with no corners (every real number): exact solutions, or none, take two trees in `outside`, over [0, infinity) with the
+/// corners (1, 0), (0, 1) and over (-infinity, 0] with the corners (0, -1), (1, 0); intervals take the
+/// outermost parts with the corners (0, -1), (1, low) and (1, high), (0, 1).
 /// A divisor that is a nonzero constant (rest = divisor) has no roots.
 struct Roots {
   Term divisor = 0;

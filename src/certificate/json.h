@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later OR BSL-1.0
 #pragma once
 
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -13,6 +14,9 @@ namespace seam::certificate {
 struct FormatError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
+
+/// The longest text that is read.
+inline constexpr std::size_t max_bytes = std::size_t{64} << 20;
 
 /// One JSON document with a final newline. Deterministic: equal values, equal bytes.
 std::string write(const Certificate&);

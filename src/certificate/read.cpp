@@ -14,7 +14,6 @@
 namespace seam::certificate {
 namespace {
 
-constexpr std::size_t max_bytes = std::size_t{64} << 20;
 constexpr int max_nesting = 2 * max_goal_depth + 40;
 
 void demand_shallow(std::string_view text) {

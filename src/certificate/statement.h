@@ -97,6 +97,7 @@ struct Solution {
 /// Those x in the domain for which every formula of `system` vanishes for all real
 /// values of the variables `for_all` are exactly `solutions`, all different.
 /// `domain` is one simplex in the one variable `unknown`.
+/// A domain with no corners means every real number (its one variable is still named).
 struct Solutions {
   std::vector<Term> system;
   std::string unknown;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later OR BSL-1.0
 #include <algorithm>
 #include <iterator>
-#include <ranges>
+#include <optional>
 #include <utility>
 
 #include "check/point.h"
@@ -35,8 +35,32 @@ using certificate::WrongSolution;
 struct Problem {
   int unknown;
   std::vector<Polynomial> system;  // F1, F2, ...
-  Region domain;
+  std::optional<Factor> domain;    // none: every real number
 };
+
+// An end of the domain, and whether it is left out.
+struct End {
+  Coordinates corner;
+  bool open;
+};
+
+Coordinates at(const Polynomial& x) {
+  return {constant(1), x};
+}
+Coordinates at_infinity(int direction) {
+  return {constant(0), constant(direction)};
+}
+
+// det ((w0, x0), (w1, x1)) = w0 x1 - x0 w1 > 0 says that corner 0 is the left one; facet i is
+// the end opposite to corner i.
+std::pair<End, End> ends(const Problem& problem) {
+  if (!problem.domain) return {{at_infinity(-1), false}, {at_infinity(1), false}};
+  const Factor& domain = *problem.domain;
+  const std::size_t left = domain.orientation > 0 ? 0 : 1;
+  const std::size_t right = 1 - left;
+  return {{domain.corners[left], domain.open[right]},
+          {domain.corners[right], domain.open[left]}};
+}
 
 // In the order that `certificate::Roots` lays down.
 std::vector<Polynomial> coefficients(Context& context, const Polynomial& formula,
@@ -62,7 +86,8 @@ Problem read_problem(Context& context, const Solutions& stated) {
   Problem problem{context.variable(stated.unknown), {}, {}};
   demand(stated.domain.variables == std::vector{stated.unknown},
          "degenerate: the domain is not one of the unknown");
-  problem.domain = make_region(context, {{stated.domain}, {}});
+  if (!stated.domain.corners.empty())
+    problem.domain = make_region(context, {{stated.domain}, {}}).factors.front();
   std::vector<int> for_all;
   for (const std::string& name : stated.for_all) for_all.push_back(context.variable(name));
   std::set<int> all = context.variables(stated.for_all);
@@ -77,7 +102,7 @@ Problem read_problem(Context& context, const Solutions& stated) {
 }
 
 bool is_in_domain(Context& context, const Problem& problem, const Polynomial& x) {
-  return contains(context, problem.domain.factors.front(), {x});
+  return !problem.domain || contains(context, *problem.domain, {x});
 }
 
 bool is_solution(Context& context, const Problem& problem, const Polynomial& x) {
@@ -110,11 +135,21 @@ Polynomial read_divisor(Context& context, const Problem& problem, const Roots& r
   return divisor;
 }
 
+// Proves `formula` != 0 from one end to another.
+void verify_between(Context& context, const Problem& problem, const Polynomial& formula,
+                    const End& low, const End& high, const Pieces& pieces) {
+  const Region segment{{make_factor(context, {problem.unknown}, {low.corner, high.corner},
+                                    {high.open, low.open}, context.free_symbol())},
+                       {}};
+  verify(context, segment, formula, Relation::nonzero, pieces);
+}
+
 void verify_exact(Context& context, const Problem& problem, const Polynomial& divisor,
                   const std::vector<Solution>& solutions, const Roots& roots) {
   Ring& ring = context.ring();
   demand(roots.multiplicities.size() == solutions.size(), "not one multiplicity for each root");
-  demand(roots.inside.empty() && roots.outside.size() == 1, "exact roots take one tree");
+  demand(roots.inside.empty() && roots.outside.size() == (problem.domain ? 1u : 2u),
+         "exact roots take one tree, or two over all numbers");
   const Polynomial rest = context.value(roots.rest);
   demand(context.depends_only_on(rest, {problem.unknown}),
          "a rest in other variables than the unknown");
@@ -131,56 +166,45 @@ void verify_exact(Context& context, const Problem& problem, const Polynomial& di
                                                roots.multiplicities[j]));
   }
   demand(ring.difference(product, divisor).is_zero(), "the divisor is not the stated product");
-  verify(context, problem.domain, rest, Relation::nonzero, roots.outside.front());
+  if (problem.domain) {
+    verify(context, {{*problem.domain}, {}}, rest, Relation::nonzero, roots.outside.front());
+    return;
+  }
+  const End zero{at(constant(0)), false};
+  verify_between(context, problem, rest, zero, {at_infinity(1), false}, roots.outside[0]);
+  verify_between(context, problem, rest, {at_infinity(-1), false}, zero, roots.outside[1]);
 }
 
-// Proves `formula` != 0 on the segment between two corners, unless it is one point.
-// `open` says which corner is left out.
-void verify_segment(Context& context, const Problem& problem, const Polynomial& formula,
-                    const Coordinates& low, const Coordinates& high, bool open_low,
-                    bool open_high, const Pieces& pieces) {
-  if (context.tower().sign(determinant(context.ring(), {low, high})) == 0) return;
-  // Facet l_0 = 0 is corner 1.
-  Region segment{{make_factor(context, {problem.unknown}, {low, high}, {open_high, open_low},
-                              context.free_symbol())},
-                 {}};
-  verify(context, segment, formula, Relation::nonzero, pieces);
-}
-
+// A part between two ends that are one point needs no proof: the divisor has a sign there.
 void verify_intervals(Context& context, const Problem& problem, const Polynomial& divisor,
                       const std::vector<Solution>& solutions, const Roots& roots) {
   Ring& ring = context.ring();
   demand(
       roots.inside.size() == solutions.size() && roots.outside.size() == solutions.size() + 1,
       "not one tree for each interval and each part between and beside them");
-  const Factor& domain = problem.domain.factors.front();
-  // det ((w0, x0), (w1, x1)) = w0 x1 - x0 w1 > 0 says that corner 0 is the left one.
-  const std::size_t left = domain.orientation > 0 ? 0 : 1;
-  const std::size_t right = 1 - left;
-  Coordinates reached = domain.corners[left];
-  bool open = domain.open[right];
   const Polynomial slope = derivative(divisor, problem.unknown, context.meter());
   const auto sign_at = [&](const Polynomial& x) {
     return context.tower().sign(ring.substitute(divisor, problem.unknown, x));
   };
+  const auto verify_part = [&](const End& low, const End& high, const Pieces& pieces) {
+    const int order = context.tower().sign(determinant(ring, {low.corner, high.corner}));
+    demand(order >= 0, "intervals overlap, or do not ascend");
+    if (order > 0) verify_between(context, problem, divisor, low, high, pieces);
+  };
+  auto [reached, last] = ends(problem);
   for (std::size_t j = 0; j < solutions.size(); ++j) {
     const Polynomial low = context.rational(solutions[j].low);
     const Polynomial high = context.rational(solutions[j].high);
     demand(context.tower().sign(ring.difference(high, low)) > 0, "an interval is empty");
     demand(is_in_domain(context, problem, low) && is_in_domain(context, problem, high),
            "an interval leaves the domain");
-    const Coordinates start = {constant(1), low};
-    const Coordinates end = {constant(1), high};
-    demand(context.tower().sign(determinant(ring, {reached, start})) >= 0,
-           "intervals overlap, or do not ascend");
     demand(sign_at(low) * sign_at(high) < 0, "no change of sign over an interval");
-    verify_segment(context, problem, slope, start, end, false, false, roots.inside[j]);
-    verify_segment(context, problem, divisor, reached, start, open, false, roots.outside[j]);
-    reached = end;
-    open = false;
+    verify_part(reached, {at(low), false}, roots.outside[j]);
+    verify_between(context, problem, slope, {at(low), false}, {at(high), false},
+                   roots.inside[j]);
+    reached = {at(high), false};
   }
-  verify_segment(context, problem, divisor, reached, domain.corners[right], open,
-                 domain.open[left], roots.outside.back());
+  verify_part(reached, last, roots.outside.back());
 }
 
 bool is_exact(const Solution& solution) {

@@ -4,21 +4,17 @@
 #include <algorithm>
 #include <array>
 
-// Products and quotients are monotone in each operand on either side of zero, so
-// their extremes lie at ends of the operands. Every rounding is outward.
+// A product is linear in each operand, so its extremes lie at ends of both. A quotient by
+// positive numbers is least for the least numerator, over the least denominator if
+// that numerator is negative, else over the greatest. Every rounding is outward.
 
 namespace seam::check {
 namespace {
 
-Interval rounded(const std::array<Integer, 4>& numerators,
-                 const std::array<Integer, 4>& denominators) {
-  Interval hull{floor_quotient(numerators[0], denominators[0]),
-                ceiling_quotient(numerators[0], denominators[0])};
-  for (std::size_t i = 1; i < numerators.size(); ++i) {
-    hull.low = std::min(hull.low, floor_quotient(numerators[i], denominators[i]));
-    hull.high = std::max(hull.high, ceiling_quotient(numerators[i], denominators[i]));
-  }
-  return hull;
+// The largest integer <= a / 2^bits.
+Integer floor_shift(const Integer& a, int bits) {
+  if (a >= 0) return a >> bits;
+  return -((-a + (Integer(1) << bits) - 1) >> bits);
 }
 
 }  // namespace
@@ -44,22 +40,23 @@ Interval scaled(const Interval& a, const Integer& factor) {
 }
 
 Interval product(const Interval& a, const Interval& b, int bits) {
-  const Integer unit = Integer(1) << bits;
-  return rounded({a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high},
-                 {unit, unit, unit, unit});
+  const std::array ends = {a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high};
+  const auto [least, greatest] = std::ranges::minmax_element(ends);
+  return {floor_shift(*least, bits), -floor_shift(-*greatest, bits)};
 }
 
 Interval quotient(const Interval& a, const Interval& b, int bits) {
   if (b.high < 0) return quotient(scaled(a, -1), scaled(b, -1), bits);
-  const Interval up{a.low << bits, a.high << bits};
-  return rounded({up.low, up.low, up.high, up.high}, {b.low, b.high, b.low, b.high});
+  const Integer low = a.low << bits;
+  const Integer high = a.high << bits;
+  return {floor_quotient(low, low < 0 ? b.low : b.high),
+          ceiling_quotient(high, high < 0 ? b.high : b.low)};
 }
 
 Interval rescaled(const Interval& a, int from_bits, int to_bits) {
   if (to_bits >= from_bits)
     return {a.low << (to_bits - from_bits), a.high << (to_bits - from_bits)};
-  const Integer unit = Integer(1) << (from_bits - to_bits);
-  return {floor_quotient(a.low, unit), ceiling_quotient(a.high, unit)};
+  return {floor_shift(a.low, from_bits - to_bits), -floor_shift(-a.high, from_bits - to_bits)};
 }
 
 }  // namespace seam::check

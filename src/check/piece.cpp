@@ -24,6 +24,11 @@
 //   l; and when no coefficient is negative, F(l) > 0. It is asked of every choice of
 //   minimal subsets, one for each factor.
 //
+//   A condition g > 0, g < 0 or g != 0 of the region none of whose monomials is in the corners
+//   of the S_m alone is 0 at l, so l is no point of the region. Where the region has such
+//   conditions, every choice of subsets is looked at, not the minimal alone, and those are
+//   passed over on which one vanishes.
+//
 // Shares are a matter of booleans: weights of a split are >= 0, their signs known.
 
 namespace seam::check {
@@ -31,26 +36,27 @@ namespace {
 
 using certificate::Relation;
 
-// The smallest sets of corners whose inner points belong to the factor.
-std::vector<Corners> minimal_faces(const Factor& factor, const std::vector<Corners>& supports,
-                                   Meter& meter) {
+// The sets of corners whose inner points belong to the factor: all, or the smallest.
+std::vector<Corners> faces_inside(const Factor& factor, const std::vector<Corners>& supports,
+                                  bool all, Meter& meter) {
   std::vector<Corners> conditions = {factor.finite};
   for (std::size_t i = 0; i < factor.open.size(); ++i)
     if (factor.open[i]) conditions.push_back(Corners{1} << i);
 
-  std::vector<Corners> minimal;
+  std::vector<Corners> found;
   for (Corners face = 1; face < Corners{1} << supports.size(); ++face) {
-    meter.charge(supports.size() + conditions.size() + minimal.size());
+    meter.charge(supports.size() + conditions.size() + found.size());
     Corners shares = 0;
     for (std::size_t j = 0; j < supports.size(); ++j)
       if ((face >> j & 1) != 0) shares |= supports[j];
     const bool is_inside = std::ranges::all_of(
         conditions, [shares](Corners condition) { return (shares & condition) != 0; });
-    const bool is_minimal = std::ranges::none_of(
-        minimal, [face](Corners smaller) { return (smaller & face) == smaller; });
-    if (is_inside && is_minimal) minimal.push_back(face);  // subsets come before
+    const bool is_wanted = all || std::ranges::none_of(found, [face](Corners smaller) {
+                             return (smaller & face) == smaller;  // subsets come before
+                           });
+    if (is_inside && is_wanted) found.push_back(face);
   }
-  return minimal;
+  return found;
 }
 
 // The corners of each factor that a monomial holds.
@@ -81,19 +87,45 @@ bool advance(std::vector<std::size_t>& choice, const std::vector<std::vector<Cor
   return false;
 }
 
+using Held = std::vector<std::vector<Corners>>;  // by monomial, then by factor
+
+bool some_lies_in(const Held& monomials, const std::vector<std::vector<Corners>>& faces,
+                  const std::vector<std::size_t>& choice) {
+  return std::ranges::any_of(monomials,
+                             [&](const auto& held) { return lies_in(held, faces, choice); });
+}
+
+// The monomials of each condition that excludes 0.
+std::vector<Held> excluding_zero(Context& context, const Region& region, const Piece& piece) {
+  std::vector<Held> result;
+  for (std::size_t i = 0; i < region.where.size(); ++i) {
+    if (holds(region.where[i].relation, 0)) continue;
+    Held& monomials = result.emplace_back();
+    const auto coefficients =
+        by_monomial(piece.formulas[i + 1], context.tower().size(), context.meter());
+    for (const auto& entry : coefficients) monomials.push_back(corners_in(entry.first, region));
+  }
+  return result;
+}
+
 bool meets_every_face(Context& context, const Region& region, const Piece& piece,
-                      const std::vector<std::vector<Corners>>& positive) {
+                      const Held& positive) {
+  const std::vector<Held> conditions = excluding_zero(context, region, piece);
+  std::size_t monomials = positive.size();
+  for (const Held& condition : conditions) monomials += condition.size();
   std::vector<std::vector<Corners>> faces;
   for (std::size_t m = 0; m < region.factors.size(); ++m) {
-    faces.push_back(minimal_faces(region.factors[m], piece.supports[m], context.meter()));
+    faces.push_back(faces_inside(region.factors[m], piece.supports[m], !conditions.empty(),
+                                 context.meter()));
     if (faces.back().empty()) return true;  // the piece holds no point of the region
   }
   std::vector<std::size_t> choice(faces.size(), 0);
   do {
-    context.meter().charge(positive.size() * faces.size());
-    if (std::ranges::none_of(positive,
-                             [&](const auto& held) { return lies_in(held, faces, choice); }))
-      return false;
+    context.meter().charge(monomials * faces.size());
+    const bool is_excluded = std::ranges::any_of(conditions, [&](const Held& condition) {
+      return !some_lies_in(condition, faces, choice);
+    });
+    if (!is_excluded && !some_lies_in(positive, faces, choice)) return false;
   } while (advance(choice, faces));
   return true;
 }

@@ -13,10 +13,6 @@ namespace {
 std::size_t bits(const Integer& n) {
   return n == 0 ? 0 : msb(abs(n)) + 1;
 }
-std::size_t limbs(const Integer& n) {
-  return 1 + bits(n) / 64;
-}
-
 std::size_t max_limbs(const Polynomial& p) {
   std::size_t most = 1;
   for (const auto& [monomial, coefficient] : p.terms) most = std::max(most, limbs(coefficient));
@@ -62,6 +58,10 @@ void cancel(Polynomial& p, Meter& meter) {
 }
 
 }  // namespace
+
+std::size_t limbs(const Integer& n) {
+  return 1 + bits(n) / 64;
+}
 
 bool Polynomial::is_within(int count) const {
   return std::ranges::all_of(terms, [count](const auto& term) {
@@ -124,6 +124,7 @@ Polynomial negated(Polynomial p) {
 void add(Polynomial& to, const Polynomial& p, Meter& meter) {
   if (p.is_zero()) return;
   const bool same = to.denominator == p.denominator;
+  if (!same) meter.charge(limbs(to.denominator) * limbs(p.denominator));
   const Integer common = same ? to.denominator : lcm(to.denominator, p.denominator);
   const Integer mine = common / to.denominator;
   const Integer theirs = common / p.denominator;
@@ -146,10 +147,13 @@ void add(Polynomial& to, const Polynomial& p, Meter& meter) {
 }
 
 Polynomial multiply(const Polynomial& a, const Polynomial& b, Meter& meter) {
+  const std::size_t below_a = limbs(a.denominator);
+  const std::size_t below_b = limbs(b.denominator);
+  const std::size_t each = max_limbs(a) + max_limbs(b) + 12;
+  demand(64 * std::max(each, below_a + below_b) <= Meter::max_bits, "effort");
+  meter.charge(below_a * below_b);
   Polynomial product;
   product.denominator = a.denominator * b.denominator;
-  const std::size_t each = max_limbs(a) + max_limbs(b) + 12;
-  demand(64 * each <= Meter::max_bits, "effort");
   for (const auto& [left, x] : a.terms)
     for (const auto& [right, y] : b.terms) {
       const std::size_t length = std::max(left.size(), right.size());

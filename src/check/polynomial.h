@@ -13,6 +13,9 @@ namespace seam::check {
 using Integer = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>,
                                               boost::multiprecision::et_off>;
 
+/// How many 64-bit words it takes, at most.
+std::size_t limbs(const Integer& n);
+
 /// Place i holds the exponent of symbol i. No zeros at the end, so that equal
 /// monomials are equal strings.
 using Monomial = std::u16string;

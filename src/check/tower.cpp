@@ -10,7 +10,8 @@
 //   The polynomial f has strict and opposite signs at low and high: there is a root in
 //   [low, high]. `isolate` cuts an interval around [low, high] and keeps the parts on
 //   which f may vanish, so that all roots lie in their hull; and it answers with the
-//   hull only when f' vanishes nowhere on it: there is at most one.
+//   hull only when f' vanishes nowhere on it: there is at most one. On a part X around m
+//   the values of f lie in f(m) + f'(X) (X - m).
 //
 // Why enclosures may be refined by Newton's step.
 //
@@ -24,14 +25,17 @@ namespace seam::check {
 namespace {
 
 constexpr std::array<int, 4> precisions = {64, 256, 1024, 4096};
+constexpr std::array<int, 3> isolating_precisions = {64, 256, 1024};
 constexpr std::size_t most_parts = 1024;
 
 using Coefficients = std::map<int, Interval>;
 
-// Of a product of intervals: four products, each of so many limbs squared.
-std::size_t price(int bits) {
-  const auto limbs = static_cast<std::size_t>(bits) / 64;
-  return 4 * limbs * limbs;
+// For the four products of ends.
+void pay(Meter& meter, const Interval& a, const Interval& b) {
+  const std::size_t left = std::max(limbs(a.low), limbs(a.high));
+  const std::size_t right = std::max(limbs(b.low), limbs(b.high));
+  demand(64 * (left + right) <= Meter::max_bits, "effort");
+  meter.charge(4 * left * right);
 }
 
 Coefficients derivative(const Coefficients& polynomial) {
@@ -50,12 +54,18 @@ Interval around(const Polynomial& low, const Polynomial& high, int bits) {
           ceiling_quotient(numerator(high) << bits, high.denominator)};
 }
 
+// One point about half-way.
+Interval middle_of(const Interval& x) {
+  const Integer middle = x.low + x.width() / 2;
+  return {middle, middle};
+}
+
 std::vector<Interval> halves(const std::vector<Interval>& parts) {
   std::vector<Interval> result;
   for (const Interval& part : parts) {
-    const Integer middle = part.low + part.width() / 2;
-    result.push_back({part.low, middle});
-    result.push_back({middle, part.high});
+    const Interval middle = middle_of(part);
+    result.push_back({part.low, middle.low});
+    result.push_back({middle.low, part.high});
   }
   return result;
 }
@@ -74,7 +84,7 @@ void Tower::extend(const Polynomial& polynomial, const Polynomial& low,
 
   auto coefficients = by_exponent(reduced, index, ring_->meter());
   for (auto& [e, coefficient] : coefficients) coefficient.denominator = 1;
-  for (const int bits : precisions) {
+  for (const int bits : isolating_precisions) {
     const auto start = isolate(enclose(coefficients, bits), around(low, high, bits), bits);
     if (!start) continue;
     generators_.push_back({std::move(coefficients), *start, bits});
@@ -110,8 +120,9 @@ Interval Tower::enclose(const Polynomial& number, int bits) {
     Interval term{Integer(1) << bits, Integer(1) << bits};
     for (int i = 0; i < std::ssize(monomial); ++i)
       if (const int e = exponent(monomial, i); e > 0) {
-        ring_->meter().charge(price(bits));
-        term = product(term, generator_power(i, e, bits), bits);
+        const Interval& factor = generator_power(i, e, bits);
+        pay(ring_->meter(), term, factor);
+        term = product(term, factor, bits);
       }
     total = sum(total, scaled(term, coefficient));
   }
@@ -128,7 +139,7 @@ Interval Tower::value(const Coefficients& polynomial, const Interval& x, int bit
   Interval result{0, 0};
   if (polynomial.empty()) return result;
   for (int e = polynomial.rbegin()->first; e >= 0; --e) {
-    ring_->meter().charge(price(bits));
+    pay(ring_->meter(), result, x);
     result = product(result, x, bits);
     if (const auto found = polynomial.find(e); found != polynomial.end())
       result = sum(result, found->second);
@@ -142,7 +153,10 @@ std::optional<Interval> Tower::isolate(const Coefficients& polynomial, const Int
   std::vector<Interval> parts = {within};
   for (Integer width = within.width(); width > 0; width /= 2) {
     std::erase_if(parts, [&](const Interval& part) {
-      return !value(polynomial, part, bits).holds_zero();
+      const Interval middle = middle_of(part);
+      const Interval offset{part.low - middle.low, part.high - middle.low};
+      const Interval change = product(value(slope, part, bits), offset, bits);
+      return !sum(value(polynomial, middle, bits), change).holds_zero();
     });
     if (parts.empty() || parts.size() > most_parts) return std::nullopt;
     const Interval hull{parts.front().low, parts.back().high};
@@ -159,10 +173,10 @@ Interval Tower::refined(const Generator& generator, int bits) {
   for (;;) {
     const Interval slopes = value(slope, x, bits);
     if (slopes.holds_zero()) return x;
-    const Integer middle = x.low + x.width() / 2;
-    const Interval step = quotient(value(polynomial, {middle, middle}, bits), slopes, bits);
-    const Interval next{std::max(x.low, middle - step.high),
-                        std::min(x.high, middle - step.low)};
+    const Interval middle = middle_of(x);
+    const Interval step = quotient(value(polynomial, middle, bits), slopes, bits);
+    const Interval next{std::max(x.low, middle.low - step.high),
+                        std::min(x.high, middle.low - step.low)};
     const bool last = 2 * next.width() > x.width() || next.width() == 0;
     x = next;
     if (last) return x;
@@ -177,7 +191,7 @@ const Interval& Tower::generator_power(int index, int e, int bits) {
   }
   Powers& powers = known[static_cast<std::size_t>(index)];
   while (std::ssize(powers) <= e) {
-    ring_->meter().charge(price(bits));
+    pay(ring_->meter(), powers.back(), powers[1]);
     powers.push_back(product(powers.back(), powers[1], bits));
   }
   return powers[static_cast<std::size_t>(e)];

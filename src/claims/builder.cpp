@@ -60,12 +60,14 @@ bool Builder::read_name(std::size_t begin, std::string_view text) {
 void Builder::comment(std::size_t begin, std::string_view text) {
   text.remove_prefix(1);
   if (text.starts_with(' ')) text.remove_prefix(1);
-  while (text.ends_with(' ') || text.ends_with('\t') || text.ends_with('\r')) text.remove_suffix(1);
+  while (text.ends_with(' ') || text.ends_with('\t') || text.ends_with('\r'))
+    text.remove_suffix(1);
   comments_.push_back({begin, std::string(text)});
 }
 
 std::vector<std::string> Builder::take_comments(std::size_t before) {
-  const auto end = std::ranges::find_if(comments_, [&](const Comment& c) { return c.begin >= before; });
+  const auto end =
+      std::ranges::find_if(comments_, [&](const Comment& c) { return c.begin >= before; });
   std::vector<std::string> taken;
   for (auto it = comments_.begin(); it != end; ++it) taken.push_back(std::move(it->text));
   comments_.erase(comments_.begin(), end);
@@ -74,7 +76,7 @@ std::vector<std::string> Builder::take_comments(std::size_t before) {
 
 void Builder::mark(std::size_t begin, std::size_t back) {
   const std::size_t first = nodes.size() - back;
-  marks.push_back({first, first, 0, begin, {}});
+  marks.push_back({first, first, 0, begin, begin == set_begin, {}});
 }
 
 Builder::Mark Builder::unmark() {
@@ -95,7 +97,8 @@ void Builder::make(Kind kind, std::string text, std::size_t children, std::size_
   }
   nodes.resize(nodes.size() - children);
   if (node.height > max_height)
-    fail("this is chained or nested more than " + std::to_string(max_height) + " operations deep",
+    fail("this is chained or nested more than " + std::to_string(max_height) +
+             " operations deep",
          span(token_begin, token_end), "give a name to a part of it with 'let'");
   nodes.push_back(std::move(node));
 }
@@ -145,7 +148,7 @@ void Builder::end_row() {
 
 bool Builder::at_half_open() const {
   const Mark& bracket = marks.back();
-  return bracket.begin == set_begin && bracket.rows == 0 && count(bracket) == 2;
+  return bracket.is_set && bracket.rows == 0 && count(bracket) == 2;
 }
 
 void Builder::end_parenthesis(std::size_t begin) {
@@ -163,7 +166,8 @@ void Builder::end_bracket(std::size_t begin) {
   if (marks.back().rows == 0) return end_group(Kind::list, {}, begin);
   end_row();
   if (marks.back().rows < 2)
-    fail("a matrix has two rows or more", span(begin, token_end), "a list is written without ';'");
+    fail("a matrix has two rows or more", span(begin, token_end),
+         "a list is written without ';'");
   end_group(Kind::matrix, {}, begin);
 }
 

@@ -54,7 +54,7 @@ class Builder {
   std::size_t token_begin = 0, token_end = 0, gap_end = 0;
   std::size_t word_begin = 0;
   std::string word;           ///< the last name, id or string, in its one spelling
-  std::size_t set_begin = 0;  ///< where the last set began: there `[0, 1)` may stand
+  std::size_t set_begin = 0;  ///< where the last set began
   int depth = 0;              ///< of nesting
 
   // ---- the stack of nodes
@@ -64,10 +64,11 @@ class Builder {
     bool open = false;  ///< a chain of relations that may still grow
   };
   struct Mark {
-    std::size_t first;   ///< the node it begins with
-    std::size_t row;     ///< the node its current row begins with
+    std::size_t first;  ///< the node it begins with
+    std::size_t row;    ///< the node its current row begins with
     std::size_t rows = 0;
-    std::size_t begin;   ///< where in the text
+    std::size_t begin;  ///< where in the text
+    bool is_set;        ///< it begins a set: there `[0, 1)` may stand
     std::string text;
   };
   std::vector<Node> nodes;

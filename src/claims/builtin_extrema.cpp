@@ -62,9 +62,7 @@ bool is_finite(const Call& call) {
     const Expression& binding = each.children[k];
     if (binding.children.size() < 2) return false;
     const Expression& set = binding.children[1];
-    const bool interval = set.kind == Expression::Kind::tuple || set.kind == Expression::Kind::half_open ||
-                          (set.kind == Expression::Kind::list && set.children.size() == 2);
-    if (interval) return false;
+    if (call.evaluator.is_interval(set, call.scope)) return false;
     if (!call.evaluator.finite_set(set, call.scope)) return false;
   }
   return true;
@@ -132,39 +130,94 @@ std::vector<std::map<std::string, Formula>> candidates(const symbolic::Domain& d
   return points;
 }
 
+// A candidate point of a part, and the value there.
+struct Attained {
+  const Extremum::Part* part;
+  std::map<std::string, Formula> point;
+  Formula value;
+};
+
+// The candidates with the best value.
+std::vector<Attained> best_candidates(Evaluator& evaluator, const Extremum& extremum) {
+  std::vector<Attained> best;
+  for (const Extremum::Part& part : extremum.parts)
+    for (const auto& point : candidates(part.domain)) {
+      std::map<std::string, Scalar> map;
+      for (const auto& [name, coordinate] : point) map.emplace(name, Scalar(coordinate));
+      const Scalar here = substitute(part.value, map, evaluator.numbers);
+      if (!is_number(here)) throw Unsupported("the value of an extremum that depends on a parameter");
+      const Formula value = evaluator.numbers.normal_form(here.numerator);
+      if (!best.empty()) {
+        const Formula gain = extremum.maximum ? value - best[0].value : best[0].value - value;
+        const exact::Sign sign = evaluator.numbers.sign(gain);
+        if (sign == exact::Sign::negative) continue;
+        if (sign == exact::Sign::positive) best.clear();
+      }
+      best.push_back({&part, point, value});
+    }
+  return best;
+}
+
+// The squared distance from a point.
+Formula distance2(const std::map<std::string, Formula>& point) {
+  Formula total = 0;
+  for (const auto& [name, coordinate] : point)
+    total += symbolic::power(Formula::symbol(name) - coordinate, 2);
+  return total;
+}
+
+// argmax(E for (u,v) in triangle): the points, each (u, v). That the value is attained there is computed; that it is
+// attained nowhere else is stated as a strict inequality where no point of the list is.
+Value arguments_of_extremum(const Call& call, bool maximum) {
+  const Value value = extremum(call, maximum);
+  const auto* found = value.as<Extremum>();
+  if (!found || found->parts.size() != 1)
+    throw Unsupported("argmax and argmin are covered for one function on one domain");
+  const Extremum::Part& part = found->parts[0];
+  const std::vector<Attained> best = best_candidates(call.evaluator, *found);
+  Stating stating(call.evaluator);
+  Context context{part.domain.factors, {}, {}};
+  const auto bound =
+      stating.compared(part.value, maximum ? "<" : ">", Scalar(best[0].value), context, call.at);
+  List points;
+  for (const Attained& place : best) {
+    context.where.push_back({distance2(place.point), Relation::positive});
+    Vector point;
+    for (const Simplex& factor : part.domain.factors)
+      for (const std::string& variable : factor.variables) point.emplace_back(place.point.at(variable));
+    points.items.push_back(point.size() == 1 ? Value{point[0]} : Value{point});
+  }
+  stating.guards.push_back(stating.holds(bound.formula, bound.relation, context, call.at,
+                                         maximum ? "less everywhere else" : "more everywhere else"));
+  for (auto& guard : stating.guards) call.evaluator.sides.push_back(std::move(guard));
+  return {points};
+}
+
+Value argmax(const Call& call) { return arguments_of_extremum(call, true); }
+Value argmin(const Call& call) { return arguments_of_extremum(call, false); }
+
 }  // namespace
 
 Value Evaluator::resolved(const Value& value, const Expression& at) {
   const auto* extremum = value.as<Extremum>();
   if (!extremum) return value;
-  std::optional<Formula> best;
-  for (const Extremum::Part& part : extremum->parts)
-    for (const auto& point : candidates(part.domain)) {
-      std::map<std::string, Scalar> map;
-      for (const auto& [name, coordinate] : point) map.emplace(name, Scalar(coordinate));
-      const Scalar here = substitute(part.value, map, numbers);
-      if (!is_number(here)) throw Unsupported("the value of an extremum that depends on a parameter");
-      const Formula number = numbers.normal_form(here.numerator);
-      const auto above = [&] {
-        const auto sign = numbers.sign(extremum->maximum ? number - *best : *best - number);
-        return sign == exact::Sign::positive;
-      };
-      if (!best || above()) best = number;
-    }
-  if (!best) fail(at, "the extremum of nothing");
+  const Formula best = best_candidates(*this, *extremum).front().value;
   Stating stating(*this);
   for (const Extremum::Part& part : extremum->parts) {
     const Context context{part.domain.factors, {}, {}};
-    const auto bound = stating.compared(part.value, extremum->maximum ? "<=" : ">=", Scalar(*best), context, at);
-    sides.push_back(stating.holds(bound.formula, bound.relation, context, at,
-                                  extremum->maximum ? "nowhere larger" : "nowhere smaller"));
+    const auto bound =
+        stating.compared(part.value, extremum->maximum ? "<=" : ">=", Scalar(best), context, at);
+    stating.guards.push_back(stating.holds(bound.formula, bound.relation, context, at,
+                                           extremum->maximum ? "nowhere larger" : "nowhere smaller"));
   }
   for (auto& guard : stating.guards) sides.push_back(std::move(guard));
-  return {Scalar(*best)};
+  return {Scalar(best)};
 }
 
 const Builtins& extremum_builtins() {
-  static const Builtins table = {{"max", {1, -1, max}}, {"min", {1, -1, min}}};
+  static const Builtins table = {{"max", {1, -1, max}}, {"min", {1, -1, min}},
+                                 {"argmax", {1, 1, argmax}},
+                                 {"argmin", {1, 1, argmin}}};
   return table;
 }
 

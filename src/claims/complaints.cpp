@@ -70,15 +70,33 @@ struct Lookalike {
   std::string_view text, instead;
 };
 constexpr std::array lookalikes = {
-    Lookalike{"==", "'='"},  Lookalike{"<>", "'!='"},  Lookalike{"=<", "'<='"},
-    Lookalike{"=>", "'>=' or 'implies'"}, Lookalike{"&&", "'and'"}, Lookalike{"||", "'or'"},
-    Lookalike{"**", "'^'"},  Lookalike{"−", "'-'"},    Lookalike{"–", "'-'"},
-    Lookalike{"×", "'*', or cross(a, b)"}, Lookalike{"÷", "'/'"}, Lookalike{"²", "'^2'"},
-    Lookalike{"³", "'^3'"},  Lookalike{"⁴", "'^4'"},   Lookalike{"∞", "'infinity'"},
-    Lookalike{"→", "'->'"},  Lookalike{"⇒", "'implies'"}, Lookalike{"⇔", "'iff'"},
-    Lookalike{"“", "'\"'"},  Lookalike{"”", "'\"'"},   Lookalike{"„", "'\"'"},
-    Lookalike{"’", "`'`"},   Lookalike{"′", "`'`"},    Lookalike{"…", "'..', or write all out"},
-    Lookalike{"!", "'not'"}, Lookalike{"∂", "diff(E, u)"}, Lookalike{"∑", "sum(E for i in 1..n)"},
+    Lookalike{"==", "'='"},
+    Lookalike{"<>", "'!='"},
+    Lookalike{"=<", "'<='"},
+    Lookalike{"=>", "'>=' or 'implies'"},
+    Lookalike{"&&", "'and'"},
+    Lookalike{"||", "'or'"},
+    Lookalike{"**", "'^'"},
+    Lookalike{"−", "'-'"},
+    Lookalike{"–", "'-'"},
+    Lookalike{"×", "'*', or cross(a, b)"},
+    Lookalike{"÷", "'/'"},
+    Lookalike{"²", "'^2'"},
+    Lookalike{"³", "'^3'"},
+    Lookalike{"⁴", "'^4'"},
+    Lookalike{"∞", "'infinity'"},
+    Lookalike{"→", "'->'"},
+    Lookalike{"⇒", "'implies'"},
+    Lookalike{"⇔", "'iff'"},
+    Lookalike{"“", "'\"'"},
+    Lookalike{"”", "'\"'"},
+    Lookalike{"„", "'\"'"},
+    Lookalike{"’", "`'`"},
+    Lookalike{"′", "`'`"},
+    Lookalike{"…", "'..', or write all out"},
+    Lookalike{"!", "'not'"},
+    Lookalike{"∂", "diff(E, u)"},
+    Lookalike{"∑", "sum(E for i in 1..n)"},
     Lookalike{".", "0.5, with a digit before the point"},
 };
 
@@ -95,10 +113,12 @@ std::string instead(std::string_view rest) {
 text::Span Builder::token_at(std::size_t place) const {
   const std::string_view all = bytes();
   if (place >= all.size()) return span(place, place);
-  std::size_t end = begins_word(all, place) || std::isdigit(static_cast<unsigned char>(all[place]))
-                        ? word_end(all, place)
-                        : place;
-  if (all[place] == '"') end = std::min(all.find_first_of("\"\n", place + 1), all.size() - 1) + 1;
+  std::size_t end =
+      begins_word(all, place) || std::isdigit(static_cast<unsigned char>(all[place]))
+          ? word_end(all, place)
+          : place;
+  if (all[place] == '"')
+    end = std::min(all.find_first_of("\"\n", place + 1), all.size() - 1) + 1;
   if (end == place) end = place + std::max<std::size_t>(text::decode(all, place).length, 1);
   return span(place, end);
 }
@@ -122,15 +142,17 @@ void Builder::complain(std::string message, std::string hint) const {
     fail(std::move(message), span(token_end, token_end), std::move(hint));
   const text::Span token = token_at(gap_end);
   const std::string_view found = all.substr(token.begin, token.end - token.begin);
-  if (hint.empty())
-    hint = reserved(found) ? quoted(found) + " is a word of the language" : instead(all.substr(gap_end));
+  if (hint.empty()) hint = instead(all.substr(gap_end));
+  if (hint.empty() && reserved(found) && message.find("in quotes") == std::string::npos)
+    hint = quoted(found) + " is a word of the language";
   fail(std::move(message), token, std::move(hint));
 }
 
 void Builder::missing_colon() const {
   const bool inside = nodes.empty() && item.name.find(':') != std::string::npos;
   complain("expected ':' before the statement",
-           inside ? "a ':' that touches the next word belongs to the id: put a blank behind it" : "");
+           inside ? "a ':' that touches the next word belongs to the id: put a blank behind it"
+                  : "");
 }
 
 void Builder::expected_close(std::string_view what) const {
@@ -170,7 +192,8 @@ void Builder::unknown_item() const {
   if (!begins_word(bytes(), gap_end))
     fail("expected an item, such as 'let' or 'claim'", token, instead(bytes().substr(gap_end)));
   std::string near = text::nearest(found, item_words());
-  fail("unknown item " + quoted(found), token, near.empty() ? "" : "did you mean '" + near + "'?");
+  fail("unknown item " + quoted(found), token,
+       near.empty() ? "" : "did you mean '" + near + "'?");
 }
 
 void Builder::invisible_product(std::size_t left, std::size_t right) const {
@@ -197,8 +220,10 @@ void Builder::unexpected_rest() const {
   if (is_word && first_on_line(all, gap_end)) unknown_clause(token);
   if (is_word)
     if (const std::string near = text::nearest(found, inner_words()); !near.empty())
-      fail("expected an operator before " + quoted(found), token, "did you mean '" + near + "'?");
-  if (is_word || std::isdigit(static_cast<unsigned char>(next)) != 0 || next == '(' || next == '[')
+      fail("expected an operator before " + quoted(found), token,
+           "did you mean '" + near + "'?");
+  if (is_word || std::isdigit(static_cast<unsigned char>(next)) != 0 || next == '(' ||
+      next == '[')
     invisible_product(token_begin, gap_end);
   fail("unexpected " + (next == '"' ? "text" : quoted(found)), token,
        instead(all.substr(gap_end)));
@@ -207,9 +232,11 @@ void Builder::unexpected_rest() const {
 // A word at the beginning of a line, where a clause or the next item may stand.
 void Builder::unknown_clause(const text::Span& token) const {
   const std::string_view found = bytes().substr(token.begin, token.end - token.begin);
-  if (item.kind != Item::Kind::claim || !text::nearest(found, item_words()).empty()) unknown_item();
+  if (item.kind != Item::Kind::claim || !text::nearest(found, item_words()).empty())
+    unknown_item();
   const std::string near = text::nearest(found, clause_words());
-  fail("unknown clause " + quoted(found), token, near.empty() ? "" : "did you mean '" + near + "'?");
+  fail("unknown clause " + quoted(found), token,
+       near.empty() ? "" : "did you mean '" + near + "'?");
 }
 
 }  // namespace seam::claims

@@ -11,7 +11,8 @@ namespace seam::claims::grammar {
 template <typename Rule, typename... Kinds>
 constexpr bool is_a = (std::is_base_of_v<Kinds, Rule> || ...);
 
-/// What was expected, in words; null for rules that never fail, or that complain for themselves.
+/// What was expected, in words; null for rules that never fail, or that complain for
+/// themselves.
 template <typename Rule>
 constexpr const char* what() {
   if constexpr (is_a<Rule, claim_statement, item_statement, body, denied, right_clause,
@@ -86,7 +87,8 @@ struct control : peg::normal<Rule> {
     else if constexpr (std::is_same_v<Rule, item>)
       b.unknown_item();
     else if constexpr (is_a<Rule, string_end>)
-      b.fail("this text is not closed on its line", b.token_at(b.gap_end), "texts end with '\"'");
+      b.fail("this text is not closed on its line", b.token_at(b.gap_end),
+             "texts end with '\"'");
     else if constexpr (is_a<Rule, decimals>)
       b.fail("expected a digit after the decimal point", b.token_at(b.offset(in.current())));
     else if constexpr (is_a<Rule, no_word>)

@@ -74,6 +74,8 @@ class Evaluator {
 
   /// The values that a finite set (a list, a range) holds, or nothing if the expression is no such set.
   std::optional<std::vector<Value>> finite_set(const Expression&, const Scope&);
+  /// `[0, 1]`, `(0, 1)`, `[0, 1)`: two ends that are numbers or infinite (a list of two numbers is an interval).
+  bool is_interval(const Expression&, const Scope&);
   /// The set that a binding ranges over, for symbols already bound. One simplex a group of names.
   symbolic::Simplex continuous_set(const Expression& set, const std::vector<std::string>& symbols,
                                    const Scope&);

@@ -4,8 +4,8 @@
 
 #include "claims/printer.h"
 
-// The text of an expression as the grammar reads it back. Quantifiers and `solve` inside another
-// statement always stand in parentheses, although the grammar could do without: where
+// The text of an expression as the grammar reads it back. Quantifiers and `solve` inside
+// another statement always stand in parentheses, although the grammar could do without: where
 // they end is then plain to see.
 
 namespace seam::claims {
@@ -77,7 +77,8 @@ class Printer {
   }
 
   // A chain of operators of one level breaks at all of them alike.
-  void infix(const Expression& e, Level left, Level right, const std::string& operation, bool blanks) {
+  void infix(const Expression& e, Level left, Level right, const std::string& operation,
+             bool blanks) {
     if (level(e.children[0]) == level(e) && left == level(e))
       bare(e.children[0]);
     else
@@ -113,7 +114,7 @@ class Printer {
   }
 
   // What stands between brackets: a statement, `E for i in R`, `u = 1/3`.
-  void element(const Expression& e, bool argument = false) {
+  void element(const Expression& e, Level wanted, bool argument = false) {
     const bool tail = e.kind == Kind::each || e.kind == Kind::limit;
     if (e.kind == Kind::named) {
       put(e.text + " = ");
@@ -124,7 +125,7 @@ class Printer {
     if (argument && begins_like_named(head))
       enclosed(head);
     else
-      print(head, Level::equivalence);
+      print(head, wanted);
     if (!tail) return;
     may_break();
     put("for ");
@@ -134,7 +135,7 @@ class Printer {
   }
 
   void entry(const Expression& e) {
-    if (e.kind != Kind::weighted) return element(e);
+    if (e.kind != Kind::weighted) return element(e, Level::range);
     print(e.children[0], Level::range);
     put(":");
     print(e.children[1], Level::range);
@@ -144,14 +145,15 @@ class Printer {
 
   void row(const Expression& e, const std::string& open, const std::string& close) {
     put(open);
-    separated(e.children, 0, [&](auto& child) { element(child); });
+    separated(e.children, 0, [&](auto& child) { element(child, Level::equivalence); });
     put(close);
   }
 
   void arguments(const Expression& e, const std::string& open, const std::string& close) {
     print(e.children[0], Level::callable);
     put(open);
-    separated(e.children, 1, [&](auto& child) { element(child, e.kind == Kind::call); });
+    separated(e.children, 1,
+              [&](auto& child) { element(child, Level::equivalence, e.kind == Kind::call); });
     put(close);
   }
 
@@ -184,8 +186,12 @@ class Printer {
   }
 
   void indexed(const Expression& e) {
+    const Kind degree = e.children[0].kind;
     put(e.text + " ");
-    print(e.children[0], Level::range);
+    if (degree == Kind::number || degree == Kind::name || degree == Kind::tuple)
+      bare(e.children[0]);
+    else
+      enclosed(e.children[0]);
     put(" {");
     for (std::size_t i = 1; i < e.children.size(); ++i) {
       if (i > 1) put(";");
@@ -296,7 +302,8 @@ class Printer {
         return print(e.children[1], Level::sum);
       case Kind::plane:
         put("plane ");
-        print(e.children[0], e.children[0].kind == Kind::number ? Level::postfix : Level::callable);
+        print(e.children[0],
+              e.children[0].kind == Kind::number ? Level::postfix : Level::callable);
         put(" ");
         return print(e.children[1], Level::sum);
       case Kind::patch:
@@ -332,7 +339,7 @@ class Printer {
       case Kind::named:
       case Kind::each:
       case Kind::limit:
-        return element(e);
+        return element(e, Level::equivalence);
       case Kind::weighted:
       case Kind::control:
         return entry(e);
@@ -342,51 +349,7 @@ class Printer {
   int depth_ = 0;
 };
 
-Level binary_level(const std::string& operation) {
-  if (operation == "^") return Level::power;
-  return operation == "*" || operation == "/" ? Level::product : Level::sum;
-}
-
 }  // namespace
-
-Level level(const Expression& e) {
-  switch (e.kind) {
-    case Kind::for_all:
-    case Kind::for_some:
-    case Kind::solve:
-      return Level::statement;
-    case Kind::equivalence:
-      return Level::equivalence;
-    case Kind::implication:
-      return Level::implication;
-    case Kind::disjunction:
-      return Level::disjunction;
-    case Kind::conjunction:
-      return Level::conjunction;
-    case Kind::negation:
-      return Level::negation;
-    case Kind::relation:
-    case Kind::truncated:
-      return Level::relation;
-    case Kind::range:
-      return Level::range;
-    case Kind::plane:
-    case Kind::from:
-      return Level::prefix;
-    case Kind::binary:
-      return binary_level(e.text);
-    case Kind::negate:
-      return Level::factor;
-    case Kind::number:
-    case Kind::string:
-    case Kind::infinity:
-    case Kind::read:
-    case Kind::half_open:
-      return Level::postfix;
-    default:
-      return Level::callable;
-  }
-}
 
 std::vector<Piece> pieces(const Expression& e, Level wanted) {
   Printer printer;

@@ -37,7 +37,8 @@ std::string with(const std::string& text, const Expression& e, Level wanted) {
 }
 
 std::string list(std::string text, const std::vector<Expression>& all, Level wanted) {
-  for (std::size_t i = 0; i < all.size(); ++i) text = with(text + (i > 0 ? ", " : ""), all[i], wanted);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    text = with(text + (i > 0 ? ", " : ""), all[i], wanted);
   return text;
 }
 
@@ -55,13 +56,15 @@ std::string paper(const Item& item) {
 }
 
 std::string param(const Item& item) {
-  std::string text = "param " + joined(item.names) + (item.type.empty() ? "" : " : " + item.type);
+  std::string text =
+      "param " + joined(item.names) + (item.type.empty() ? "" : " : " + item.type);
   if (!item.expressions.empty()) text = with(text + " in ", item.expressions[0], Level::range);
   return item.where ? with(text + " where ", *item.where, Level::statement) : text;
 }
 
 std::string root(const Item& item) {
-  const std::string text = with("root " + item.name + " of ", item.expressions[0], Level::range);
+  const std::string text =
+      with("root " + item.name + " of ", item.expressions[0], Level::range);
   return with(text + " in ", item.expressions[1], Level::range);
 }
 
@@ -89,7 +92,8 @@ std::string hint(const Expression& e) {
 std::string claim(const Item& item) {
   const Claim& c = item.claim;
   const std::string line = "\n" + margin;
-  std::string text = with("claim " + id_title_at(item) + ":" + line, c.statement, Level::statement);
+  std::string text =
+      with("claim " + id_title_at(item) + ":" + line, c.statement, Level::statement);
   if (c.corrected) text = with(text + line + "corrected: ", *c.corrected, Level::statement);
   if (!c.expect.empty()) text += line + "expect " + c.expect;
   if (!c.using_claims.empty()) text += line + "using " + joined(c.using_claims);
@@ -101,7 +105,8 @@ std::string claim(const Item& item) {
 // The values and the printed numbers of the rows stand in columns.
 std::string table(const Item& item) {
   std::string text = "table " + id_title_at(item);
-  for (const Expression& binding : item.columns) text = with(text + " for ", binding, Level::statement);
+  for (const Expression& binding : item.columns)
+    text = with(text + " for ", binding, Level::statement);
   Strings labels;
   for (const std::string& label : item.labels) labels.push_back(quoted(label));
   text += (labels.empty() ? "" : " labelled " + joined(labels)) + ":";
@@ -129,7 +134,8 @@ std::string body(const Item& item) {
     case Item::Kind::section:
       return "section " + quoted(item.name);
     case Item::Kind::let:
-      return with("let " + item.name + parameters(item) + " = ", item.expressions[0], Level::range);
+      return with("let " + item.name + parameters(item) + " = ", item.expressions[0],
+                  Level::range);
     case Item::Kind::param:
       return param(item);
     case Item::Kind::root:

@@ -7,7 +7,8 @@
 // argument; elsewhere the next token decides, and what has been read stays read. So reading
 // takes linear time, and an action is never taken back.
 //
-// `open` marks where a group of nodes begins; the action of the rule that ends it makes one node of the group.
+// `open` marks where a group of nodes begins; the action of the rule that ends it makes one
+// node of the group.
 namespace seam::claims::grammar {
 
 struct open : peg::success {};
@@ -45,9 +46,9 @@ struct holds {
 };
 
 struct statement;
-struct body : deeper<statement> {};   // a statement that must come
+struct body : deeper<statement> {};  // a statement that must come
 struct value;
-struct operand : deeper<value> {};    // a value that must come
+struct operand : deeper<value> {};  // a value that must come
 
 // ---- bindings: `u in [0,1] where S`, `(u,v) in triangle`, `u, v`
 
@@ -56,7 +57,8 @@ struct where_body : body {};
 struct where : peg::if_must<where_word, where_body> {};
 struct set_begins : peg::success {};
 struct set : peg::seq<set_begins, operand> {};
-struct name_tuple : peg::seq<open_paren, peg::list_must<one_name, comma>, peg::must<close_paren>> {};
+struct name_tuple
+    : peg::seq<open_paren, peg::list_must<one_name, comma>, peg::must<close_paren>> {};
 struct bound_names : peg::seq<open, peg::sor<one_name, name_tuple>> {};
 struct bound_in : in_word {};
 struct ranged : peg::seq<open, peg::must<bound_names, bound_in, set>, peg::opt<where>> {};
@@ -72,11 +74,14 @@ struct bare_names : peg::seq<open, peg::list_must<one_name, comma>, peg::must<no
 struct bare_binding : peg::seq<open, bare_names, peg::opt<where>> {};
 struct begins_ranged : peg::at<peg::sor<ranged_head, peg::one<'('>>> {};
 
-// ---- what may stand between brackets: `E`, `E for i in 0..3`, `E for n -> infinity`, `u = 1/3`
+// ---- what may stand between brackets: `E`, `E for i in 0..3`, `E for n -> infinity`, `u =
+// 1/3`
 
 struct limit_target : operand {};
-struct limit : peg::seq<peg::at<word_text, gap, arrow>, peg::must<one_name, arrow, limit_target>> {};
-struct each : peg::seq<ranged, peg::star<peg::at<peg::one<','>, gap, ranged_head>, comma, ranged>> {};
+struct limit
+    : peg::seq<peg::at<word_text, gap, arrow>, peg::must<one_name, arrow, limit_target>> {};
+struct each
+    : peg::seq<ranged, peg::star<peg::at<peg::one<','>, gap, ranged_head>, comma, ranged>> {};
 struct each_head : peg::sor<limit, each> {};
 struct each_begins : for_word {};
 struct each_tail : peg::if_must<each_begins, each_head> {};
@@ -85,8 +90,8 @@ struct next_element : element {};
 struct elements : peg::seq<element, peg::star<peg::if_must<comma, next_element>>> {};
 
 struct argument_value : operand {};
-struct named
-    : peg::seq<peg::at<word_text, gap, equal_sign>, peg::must<one_name, equal_sign, argument_value>> {};
+struct named : peg::seq<peg::not_at<infinity_word>, peg::at<word_text, gap, equal_sign>,
+                        peg::must<one_name, equal_sign, argument_value>> {};
 struct argument : peg::sor<named, element> {};
 struct next_argument : argument {};
 struct arguments : peg::seq<argument, peg::star<peg::if_must<comma, next_argument>>> {};
@@ -132,16 +137,16 @@ struct label_colon : colon {};
 struct point : entry {};
 struct control_point : peg::seq<label, gap, peg::must<label_colon, point>> {};
 struct next_control : peg::sor<peg::at<peg::one<'}'>>, control_point> {};
-struct controls : peg::seq<peg::must<control_point>, peg::star<peg::if_must<semicolon, next_control>>> {};
+struct controls
+    : peg::seq<peg::must<control_point>, peg::star<peg::if_must<semicolon, next_control>>> {};
 struct controls_end : close_brace {};
 struct indexed : peg::seq<operand, peg::must<open_brace>, controls, peg::must<controls_end>> {};
 
 struct formula : operand {};
 struct from : peg::if_must<from_word, formula> {};
 struct patch_rest : peg::sor<net, from, indexed> {};
-struct patch
-    : peg::seq<patch_begins, open, peg::opt<rational>, peg::must<any_shape>, peg::must<patch_rest>> {
-};
+struct patch : peg::seq<patch_begins, open, peg::opt<rational>, peg::must<any_shape>,
+                        peg::must<patch_rest>> {};
 
 // ---- values, loosest last
 
@@ -170,8 +175,8 @@ struct plane_normal
 struct plane_offset;
 struct plane : peg::if_must<plane_word, plane_normal, plane_offset> {};
 
-struct postfix : peg::sor<number_value, peg::seq<callable, peg::star<peg::sor<call, index>>>, root,
-                          string_value, infinity_value, plane, read> {};
+struct postfix : peg::sor<number_value, peg::seq<callable, peg::star<peg::sor<call, index>>>,
+                          root, string_value, infinity_value, plane, read> {};
 
 struct factor;
 struct exponent : deeper<factor> {};
@@ -183,14 +188,18 @@ struct factor : peg::sor<negative, peg::seq<postfix, peg::opt<raised>>> {};
 struct right_factor : factor {};
 template <typename Sign>
 struct combined_factor : peg::if_must<Sign, right_factor> {};
-struct product : peg::seq<factor, peg::star<peg::sor<combined_factor<times_sign>,
-                                                     combined_factor<divide_sign>>>> {};
+struct product
+    : peg::seq<factor,
+               peg::star<peg::sor<combined_factor<times_sign>, combined_factor<divide_sign>>>> {
+};
 
 struct right_product : product {};
 template <typename Sign>
 struct combined_product : peg::if_must<Sign, right_product> {};
-struct sum : peg::seq<product, peg::star<peg::sor<combined_product<plus_sign>,
-                                                  combined_product<minus_sign>>>> {};
+struct sum
+    : peg::seq<product,
+               peg::star<peg::sor<combined_product<plus_sign>, combined_product<minus_sign>>>> {
+};
 struct plane_offset : deeper<sum> {};
 
 struct range_end : sum {};
@@ -233,7 +242,8 @@ struct gives_one : one_word {};
 struct approximation : operand {};
 struct solution : operand {};
 struct solutions
-    : peg::sor<gives_none, peg::seq<gives_one, peg::opt<peg::if_must<rounds_sign, approximation>>>,
+    : peg::sor<gives_none,
+               peg::seq<gives_one, peg::opt<peg::if_must<rounds_sign, approximation>>>,
                peg::list_must<solution, comma>> {};
 struct solve_begins : solve_word {};
 struct solve

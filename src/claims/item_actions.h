@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "claims/actions.h"
 #include "claims/items.h"
+#include "claims/statement_actions.h"
 
 // What each rule of an item puts into the item.
 namespace seam::claims::grammar {

@@ -6,8 +6,8 @@
 // The items of a file, each from its first word to where the next item may begin.
 namespace seam::claims::grammar {
 
-struct header_colon : colon {};      // before what the item is about
-struct statement_colon : colon {};   // before a claim's statement
+struct header_colon : colon {};     // before what the item is about
+struct statement_colon : colon {};  // before a claim's statement
 struct claim_statement : body {};
 struct item_value : operand {};
 struct item_statement : body {};
@@ -24,7 +24,8 @@ struct source_text : string {};
 struct source : peg::if_must<source_word, source_text> {};
 struct year_number : whole_number {};
 struct year : peg::if_must<year_word, year_number> {};
-struct paper : peg::if_must<paper_word, title_text, peg::star<peg::sor<by_author, source, year>>> {};
+struct paper
+    : peg::if_must<paper_word, title_text, peg::star<peg::sor<by_author, source, year>>> {};
 
 struct section : peg::if_must<section_word, title_text> {};
 struct include : peg::if_must<include_word, title_text> {};
@@ -37,7 +38,8 @@ struct parameters : peg::if_must<open_paren, peg::list_must<parameter, comma>, c
 struct defines : equal_sign {};
 struct let : peg::if_must<let_word, item_name, peg::opt<parameters>, defines, item_value> {};
 struct define
-    : peg::if_must<define_word, item_name, peg::opt<parameters>, header_colon, item_statement> {};
+    : peg::if_must<define_word, item_name, peg::opt<parameters>, header_colon, item_statement> {
+};
 
 // ---- param, root
 
@@ -49,14 +51,13 @@ struct type_name : peg::sor<integer_type, vector_type> {};
 struct type : peg::if_must<colon, type_name> {};
 struct param_set : peg::if_must<in_word, set> {};
 struct param_where : peg::if_must<where_word, where_body> {};
-struct param : peg::if_must<param_word, peg::list_must<param_name, comma>,
-                            peg::opt<type>, peg::opt<param_set>, peg::opt<param_where>> {};
+struct param : peg::if_must<param_word, peg::list_must<param_name, comma>, peg::opt<type>,
+                            peg::opt<param_set>, peg::opt<param_where>> {};
 
 struct polynomial : item_value {};
 struct root_of : of_word {};
 struct root_in : in_word {};
-struct root_item
-    : peg::if_must<root_word, item_name, root_of, polynomial, root_in, set> {};
+struct root_item : peg::if_must<root_word, item_name, root_of, polynomial, root_in, set> {};
 
 // ---- claim
 
@@ -84,8 +85,8 @@ struct row_value : operand {};
 struct printed_value : operand {};
 struct row_rounds : rounds_sign {};
 struct row_cut_off : truncated_word {};
-struct row : peg::if_must<row_label, row_value, row_rounds, peg::list_must<printed_value, comma>,
-                          peg::opt<row_cut_off>> {};
+struct row : peg::if_must<row_label, row_value, row_rounds,
+                          peg::list_must<printed_value, comma>, peg::opt<row_cut_off>> {};
 struct table
     : peg::if_must<table_word, claim_id, peg::star<peg::sor<title_text, at>>, peg::opt<columns>,
                    peg::opt<labelled>, header_colon, peg::plus<row>> {};
@@ -98,20 +99,22 @@ struct figure
 
 struct digit_count : whole_number {};
 struct digits : peg::if_must<digits_word, digit_count> {};
-struct ask : peg::if_must<ask_word, claim_id, header_colon, item_statement, peg::opt<digits>> {};
+struct ask : peg::if_must<ask_word, claim_id, header_colon, item_statement, peg::opt<digits>> {
+};
 
 // ---- a file is a gap and items; each item is read by itself, so that one may fail alone
 
 struct item_word
-    : peg::sor<paper_word, section_word, let_word, param_word, root_word, include_word, define_word,
-               claim_word, table_word, figure_word, ask_word> {};
+    : peg::sor<paper_word, section_word, let_word, param_word, root_word, include_word,
+               define_word, claim_word, table_word, figure_word, ask_word> {};
 struct at_line_begin : holds<&Builder::at_line_begin> {};
 struct item_end : peg::sor<peg::eof, peg::seq<at_line_begin, peg::at<item_word>>> {};
-struct item : peg::sor<paper, section, let, param, root_item, include, define, claim, table, figure,
-                       ask> {};
+struct item : peg::sor<paper, section, let, param, root_item, include, define, claim, table,
+                       figure, ask> {};
 struct whole_item : peg::seq<peg::must<item>, peg::must<item_end>> {};
 
 struct expression_end : peg::eof {};
-struct whole_expression : peg::seq<gap, peg::must<item_statement>, peg::must<expression_end>> {};
+struct whole_expression : peg::seq<gap, peg::must<item_statement>, peg::must<expression_end>> {
+};
 
 }  // namespace seam::claims::grammar

@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <limits>
 
-// A stretch that does not fit its line is cut at its shallowest breaks into groups. A group goes on
-// the current line if it fits there, else on a new one; one that fits on no line is cut again, one step deeper.
+// A stretch that does not fit its line is cut at its shallowest breaks into groups. A group
+// goes on the current line if it fits there, else on a new one; one that fits on no line is cut
+// again, one step deeper.
 
 namespace seam::claims {
 namespace {
@@ -91,8 +92,8 @@ std::string lay_out(const Pieces& pieces, std::size_t column, std::size_t indent
 }
 
 std::size_t width(const std::string& text) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+  return static_cast<std::size_t>(std::ranges::count_if(
+      text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
 }  // namespace seam::claims

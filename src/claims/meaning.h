@@ -28,6 +28,12 @@ struct MeantClaim {
   text::Span span;
   Lowered printed;
   std::optional<Lowered> corrected;
+
+  /// Of a table cell: the right side of its comparison.
+  const Expression& printed_value() const {
+    const Expression& e = claim.statement;
+    return e.kind == Expression::Kind::truncated ? e.children[0].children[1] : e.children[1];
+  }
 };
 
 struct MeantTable {

@@ -36,11 +36,13 @@ std::optional<Diagnostic> unreadable(const std::shared_ptr<const Source>& source
   for (std::size_t at = 0; at < bytes.size();) {
     const text::CodePoint point = text::decode(bytes, at);
     if (point.length == 0)
-      return Diagnostic{{source, at, at + 1}, "this byte is not UTF-8", "save the file as UTF-8"};
+      return Diagnostic{
+          {source, at, at + 1}, "this byte is not UTF-8", "save the file as UTF-8"};
     if (text::invisible(point.value))
-      return Diagnostic{{source, at, at + point.length},
-                        "the invisible character " + text::code_name(point.value) + " cannot stand here",
-                        {}};
+      return Diagnostic{
+          {source, at, at + point.length},
+          "the invisible character " + text::code_name(point.value) + " cannot stand here",
+          {}};
     at += point.length;
   }
   return std::nullopt;
@@ -53,8 +55,8 @@ std::size_t text_begin(const Source& source) {
 bool item_begins(std::string_view rest) {
   for (const std::string& word : item_words())
     if (rest.starts_with(word) &&
-        (rest.size() == word.size() || std::string_view(" \t\r\n\"#").find(rest[word.size()]) !=
-                                           std::string_view::npos))
+        (rest.size() == word.size() ||
+         std::string_view(" \t\r\n\"#").find(rest[word.size()]) != std::string_view::npos))
       return true;
   return false;
 }
@@ -77,9 +79,9 @@ class Ids {
     const auto [known, is_new] = known_.emplace(item.name, item.name_span.begin);
     if (is_new) return std::nullopt;
     const text::Position first = text::position(*item.span.source, known->second);
-    return Diagnostic{item.name_span, "the id '" + item.name + "' is used twice",
-                      "the first is at " + std::to_string(first.line) + ":" +
-                          std::to_string(first.column)};
+    return Diagnostic{
+        item.name_span, "the id '" + item.name + "' is used twice",
+        "the first is at " + std::to_string(first.line) + ":" + std::to_string(first.column)};
   }
 
  private:

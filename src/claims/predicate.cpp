@@ -80,11 +80,17 @@ Proposition planar(const Arguments& a) {
   if (points.empty() || points[0].size() != 3) fail(a.place(0), "expected points with three coordinates");
   return geometry::planar(points);
 }
+// That a search found nothing refutes nothing.
+Proposition found(Proposition p) {
+  if (p.kind == Proposition::Kind::any && p.parts.empty())
+    throw Unsupported("no similarity was found, and no invariant tells the surfaces apart");
+  return p;
+}
 Proposition similar(const Arguments& a) {
-  return geometry::similar(a.surface(0), a.surface(1), a.evaluator.numbers);
+  return found(geometry::similar(a.surface(0), a.surface(1), a.evaluator.numbers));
 }
 Proposition congruent(const Arguments& a) {
-  return geometry::congruent(a.surface(0), a.surface(1), a.evaluator.numbers);
+  return found(geometry::congruent(a.surface(0), a.surface(1), a.evaluator.numbers));
 }
 
 const std::map<std::string, Entry>& table() {

@@ -15,24 +15,21 @@ bool is_infinite(const Expression& e) {
   return e.kind == Kind::infinity || (e.kind == Kind::negate && e.children[0].kind == Kind::infinity);
 }
 
-// `[0, 1]`, `(0, 1)`, `[0, 1)`: two ends, at least one of them not a list's item.
-bool is_interval(Evaluator& evaluator, const Expression& set, const Scope& scope) {
+}  // namespace
+
+bool Evaluator::is_interval(const Expression& set, const Scope& scope) {
   if (set.kind == Kind::tuple || set.kind == Kind::half_open) return set.children.size() == 2;
   if (set.kind != Kind::list || set.children.size() != 2) return false;
   return std::ranges::all_of(set.children, [&](const Expression& end) {
     if (is_infinite(end)) return true;
-    if (end.kind == Kind::each) return false;
-    const Value value = evaluator.evaluate(end, scope);
-    return value.as<Scalar>() != nullptr;
+    return end.kind != Kind::each && evaluate(end, scope).as<Scalar>() != nullptr;
   });
 }
-
-}  // namespace
 
 symbolic::Simplex Evaluator::continuous_set(const Expression& set,
                                             const std::vector<std::string>& symbols,
                                             const Scope& scope) {
-  if (is_interval(*this, set, scope)) {
+  if (is_interval(set, scope)) {
     if (symbols.size() != 1) fail(set, "an interval is a set for one variable");
     const bool open_low = set.kind == Kind::tuple || set.text == "(]";
     const bool open_high = set.kind == Kind::tuple || set.text == "[)";
@@ -71,7 +68,7 @@ Proposition Stating::quantified(const Expression& e, const Scope& scope, const C
     Context context_here = inner;
     const bool has_set = binding.text != "all";
 
-    if (has_set && !is_interval(evaluator, binding.children[1], around)) {
+    if (has_set && !evaluator.is_interval(binding.children[1], around)) {
       if (auto items = evaluator.finite_set(binding.children[1], around)) {
         if (items->empty()) fail(binding, "there is nothing to range over", "the set is empty");
         std::vector<Proposition> parts;

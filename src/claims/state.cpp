@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "claims/state.h"
 
+#include <algorithm>
+
 #include "claims/stating.h"
 
 // Outside every quantifier a statement is true or false, and `or`, `not`, `implies` are what
@@ -8,11 +10,7 @@
 // for all x (A or B) is the same as: for all x where not A, B.
 
 namespace seam::claims {
-namespace {
-
 using Kind = Expression::Kind;
-
-}  // namespace
 
 Proposition Stating::state(const Expression& e, const Scope& scope, const Context& context,
                            bool positive) {
@@ -80,16 +78,55 @@ Proposition Stating::alternatives(const std::vector<std::pair<const Expression*,
   throw Unsupported("this 'or' under 'for all' is not covered: no side is a plain comparison");
 }
 
+// The parameters of the file that occur in any formula.
+static void collect(const Proposition& p, std::set<std::string>& found) {
+  for (const Proposition& part : p.parts) collect(part, found);
+  if (p.kind != Proposition::Kind::atom) return;
+  const auto add = [&](const Formula& f) { found.merge(symbolic::variables(f)); };
+  if (const auto* zero = std::get_if<symbolic::Zero>(&p.atom)) add(zero->formula);
+  if (const auto* distinct = std::get_if<symbolic::Distinct>(&p.atom))
+    for (const auto& tuple : distinct->tuples) std::ranges::for_each(tuple, add);
+  if (const auto* sign = std::get_if<symbolic::Sign>(&p.atom)) {
+    add(sign->formula);
+    for (const auto& constraint : sign->domain.where) add(constraint.formula);
+  }
+}
+
+static Context parameters_in(const Evaluator& evaluator, const Stating& stating, const Proposition& goal) {
+  std::set<std::string> found;
+  collect(goal, found);
+  for (const Proposition& guard : stating.guards) collect(guard, found);
+  for (const Proposition& side : evaluator.sides) collect(side, found);
+  Context context;
+  for (const Parameter& parameter : evaluator.parameters) {
+    if (!found.contains(parameter.name)) continue;
+    if (parameter.set)
+      context.factors.push_back(*parameter.set);
+    else
+      context.lines.push_back(parameter.name);
+  }
+  return context;
+}
+
+// A statement that holds a parameter is one about all its values: "for all" stands around it, unsaid. Whether
+// one does shows when it has been stated once.
 Stated state(Evaluator& evaluator, const Expression& statement, const Scope& scope) {
-  Stating stating(evaluator);
-  evaluator.sides.clear();
-  Stated result;
-  result.goal = stating.state(statement, scope, {});
-  result.guards = std::move(stating.guards);
-  for (const Proposition& side : evaluator.sides) result.guards.push_back(side);
-  evaluator.sides.clear();
-  result.predicates = std::move(stating.predicates);
-  return result;
+  Context context;
+  for (;;) {
+    Stating stating(evaluator);
+    evaluator.sides.clear();
+    Stated result;
+    result.goal = stating.state(statement, scope, context);
+    if (context.empty()) {
+      context = parameters_in(evaluator, stating, result.goal);
+      if (!context.empty()) continue;
+    }
+    result.guards = std::move(stating.guards);
+    result.guards.insert(result.guards.end(), evaluator.sides.begin(), evaluator.sides.end());
+    result.predicates = std::move(stating.predicates);
+    evaluator.sides.clear();
+    return result;
+  }
 }
 
 }  // namespace seam::claims

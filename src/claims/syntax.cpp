@@ -6,7 +6,8 @@
 namespace seam::claims {
 
 bool same(const Expression& a, const Expression& b) {
-  return a.kind == b.kind && a.text == b.text && std::ranges::equal(a.children, b.children, same);
+  return a.kind == b.kind && a.text == b.text &&
+         std::ranges::equal(a.children, b.children, same);
 }
 
 }  // namespace seam::claims

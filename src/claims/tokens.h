@@ -33,7 +33,8 @@ struct word_part : peg::sor<peg::alnum, peg::one<'_', '\''>, greek_letter> {};
 struct inner_dot
     : peg::seq<peg::one<'.'>, peg::at<peg::sor<peg::alnum, peg::one<'_'>, greek_letter>>> {};
 struct word_text
-    : peg::seq<peg::sor<peg::alpha, greek_letter>, peg::star<peg::sor<word_part, inner_dot>>> {};
+    : peg::seq<peg::sor<peg::alpha, greek_letter>, peg::star<peg::sor<word_part, inner_dot>>> {
+};
 struct word_ends : peg::not_at<peg::sor<word_part, inner_dot>> {};
 
 /// A word that is not reserved.
@@ -42,10 +43,8 @@ struct name : peg::seq<identifier, gap> {};
 
 struct id_part : peg::sor<peg::alnum, peg::one<'_'>, greek_letter> {};
 struct id_text
-    : peg::seq<id_part,
-               peg::star<peg::sor<id_part,
-                                  peg::seq<peg::plus<peg::one<'.', '-', ':'>>, peg::at<id_part>>>>> {
-};
+    : peg::seq<id_part, peg::star<peg::sor<id_part, peg::seq<peg::plus<peg::one<'.', '-', ':'>>,
+                                                             peg::at<id_part>>>>> {};
 struct id : peg::seq<id_text, gap> {};
 
 struct string_text : peg::star<peg::not_one<'"', '\n', '\r'>> {};
@@ -146,9 +145,8 @@ struct arrow : sign<'-', '>'> {};
 
 struct plus_sign : sign<'+'> {};
 struct minus_sign : peg::seq<peg::one<'-'>, peg::not_at<peg::one<'>'>>, gap> {};
-struct times_sign
-    : peg::sor<peg::seq<peg::one<'*'>, peg::not_at<peg::one<'*'>>, gap>, special<U'·'>, special<U'⋅'>> {
-};
+struct times_sign : peg::sor<peg::seq<peg::one<'*'>, peg::not_at<peg::one<'*'>>, gap>,
+                             special<U'·'>, special<U'⋅'>> {};
 struct divide_sign : sign<'/'> {};
 struct power_sign : sign<'^'> {};
 

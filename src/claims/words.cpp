@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-// Words that only ever stand where no name can (`at`, `all`, `digits`, `none`, ...)
+// Words that only ever stand where no name can (`at`, `all`, `digits`, `labelled`, ...)
 // are not reserved; a paper may need them as names.
 
 namespace seam::claims {
@@ -11,7 +11,8 @@ namespace {
 
 const std::vector<std::string>& value_words() {
   static const std::vector<std::string> words = {
-      "curve", "from", "infinity", "plane", "quad_patch", "rational", "read", "triangle_patch"};
+      "curve", "from",       "infinity", "none", "one",
+      "plane", "quad_patch", "rational", "read", "triangle_patch"};
   return words;
 }
 
@@ -26,9 +27,9 @@ std::vector<std::string> all_reserved() {
 }  // namespace
 
 const std::vector<std::string>& item_words() {
-  static const std::vector<std::string> words = {"paper",   "section", "let",   "param",
-                                                 "root",    "include", "define", "claim",
-                                                 "table",   "figure",  "ask"};
+  static const std::vector<std::string> words = {"paper", "section", "let",    "param",
+                                                 "root",  "include", "define", "claim",
+                                                 "table", "figure",  "ask"};
   return words;
 }
 
@@ -38,8 +39,9 @@ const std::vector<std::string>& clause_words() {
 }
 
 const std::vector<std::string>& operator_words() {
-  static const std::vector<std::string> words = {"and", "or",    "not",   "implies",   "iff", "for",
-                                                 "in",  "where", "solve", "gives", "truncated"};
+  static const std::vector<std::string> words = {"and",   "or",    "not",      "implies",
+                                                 "iff",   "for",   "in",       "where",
+                                                 "solve", "gives", "truncated"};
   return words;
 }
 

@@ -36,7 +36,4 @@ claims::File parsed(const std::filesystem::path&);
 /// Parsed and given meaning; all errors rendered into a `Failure` (65).
 claims::Meaning meant(const std::filesystem::path&);
 
-/// SHA-256 in hexadecimal.
-std::string sha256(const std::string& bytes);
-
 }  // namespace seam::cli

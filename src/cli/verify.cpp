@@ -9,6 +9,7 @@
 #include <atomic>
 #include <chrono>
 
+#include "certificate/sha256.h"
 #include "claims/latex.h"
 #include "cli/figure.h"
 #include "cli/files.h"
@@ -197,7 +198,7 @@ Verified verify(const std::filesystem::path& file, const VerifyOptions& options,
   result.run.by = meaning.by;
   result.run.source = meaning.source;
   result.run.year = meaning.year;
-  result.run.sha256 = sha256(open(file)->bytes);
+  result.run.sha256 = certificate::sha256(open(file)->bytes);
   for (const auto& item : meaning.items) {
     if (const auto* section = std::get_if<claims::MeantSection>(&item)) {
       result.run.items.push_back(report::SectionRun{section->title});
@@ -210,9 +211,13 @@ Verified verify(const std::filesystem::path& file, const VerifyOptions& options,
       report::TableRun run{table->heading.id, table->heading.title, table->heading.at, table->labels,
                            table->comments, {}};
       for (const auto& row : table->rows) {
-        run.rows.push_back({row.label, claims::latex(row.value), {}});
-        for (const MeantClaim& cell : row.cells)
-          if (auto cell_run = assembly.claim(cell)) run.rows.back().cells.push_back(std::move(*cell_run));
+        run.rows.push_back({row.label, claims::latex(row.value), {}, {}});
+        for (const MeantClaim& cell : row.cells) {
+          auto cell_run = assembly.claim(cell);
+          if (!cell_run) continue;
+          run.rows.back().cells.push_back(std::move(*cell_run));
+          run.rows.back().printed.push_back(claims::format(cell.printed_value()));
+        }
       }
       result.run.items.push_back(std::move(run));
     } else if (const auto* ask = std::get_if<claims::MeantAsk>(&item)) {

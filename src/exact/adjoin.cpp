@@ -4,9 +4,9 @@
 #include "exact/contract.h"
 #include "exact/roots.h"
 
-// The interval chosen has ends n / 2^k and (n+1) / 2^k: the first k that will do. It ends because the
-// root is simple: the derivative is not 0 at it, and interval values of the derivative shrink to
-// that number.
+// The interval chosen has ends n / 2^k and (n+1) / 2^k: the first k that will do. It ends
+// because the root is simple: the derivative is not 0 at it, and interval values of the
+// derivative shrink to that number.
 
 namespace seam::exact {
 
@@ -50,7 +50,8 @@ Bracket bracket(const Univariate& f, RootInterval root) {
   for (int k = 0;; ++k, unit /= 2) {
     while (root.low != root.high && floored(root.low / unit) != floored(root.high / unit))
       root = halved(f, root);
-    const Bracket result{floored(root.low / unit) * unit, (floored(root.low / unit) + 1) * unit};
+    const Bracket result{floored(root.low / unit) * unit,
+                         (floored(root.low / unit) + 1) * unit};
     const Interval value = horner(slope, {result.low, result.high});
     if (value.low <= 0 && value.high >= 0) continue;
     const Sign low = sign(exact::value(f, ring.constant(result.low)));

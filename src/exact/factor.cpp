@@ -9,10 +9,11 @@
 
 // Trager's method. Let K be the tower, h_1, ..., h_m its generators, s the number sum c_k h_k.
 //
-//   The norm N(x) of f(x - s) is the product over the conjugates of K; resultants with the defining
-//   polynomials eliminate one generator after another. For all but finitely many s it is
-//   squarefree, and then the irreducible factors of f over K are the gcd(f(x), N_i(x + s)) for
-//   the irreducible factors N_i of N over Q. The one that vanishes at a root r of f belongs to the only N_i with N_i(r + s) = 0.
+//   The norm N(x) of f(x - s) is the product over the conjugates of K; resultants with the
+//   defining polynomials eliminate one generator after another. For all but finitely many s it
+//   is squarefree, and then the irreducible factors of f over K are the gcd(f(x), N_i(x + s))
+//   for the irreducible factors N_i of N over Q. The one that vanishes at a root r of f belongs
+//   to the only N_i with N_i(r + s) = 0.
 
 namespace seam::exact {
 
@@ -90,10 +91,12 @@ slong vanishing(const fmpz_poly_factor_t factors, const Univariate& f, RootInter
     Arb at;
     arb_union(at.it, low.it, high.it, 2 * precision);
     if (!numerators.terms.empty()) {
-      const Arb s = evaluate(shift.ring().tower(), numerators.terms.begin()->second, 2 * precision);
+      const Arb s =
+          evaluate(shift.ring().tower(), numerators.terms.begin()->second, 2 * precision);
       arb_add(at.it, at.it, s.it, 2 * precision);
     }
-    std::erase_if(left, [&](slong i) { return !may_vanish(factors->p + i, at, 2 * precision); });
+    std::erase_if(left,
+                  [&](slong i) { return !may_vanish(factors->p + i, at, 2 * precision); });
   }
   require(left.size() == 1, "irreducible_factor: not a root");
   return left.front();

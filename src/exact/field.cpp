@@ -19,7 +19,9 @@ Coordinates coordinates(const Polynomial& number) {
   return number.numerators().terms.begin()->second;
 }
 
-Polynomial zero_like(const Univariate& f) { return f.front().ring().constant(0); }
+Polynomial zero_like(const Univariate& f) {
+  return f.front().ring().constant(0);
+}
 
 }  // namespace
 
@@ -30,7 +32,8 @@ Sign sign(const Polynomial& number) {
 Ball ball(const Polynomial& number) {
   const Ball b = ball(number.ring().tower(), coordinates(number));
   const double denominator = number.is_zero() ? 1 : number.numerators().denominator.get_d();
-  return {b.middle / denominator, b.radius / denominator * (1 + 1e-14) + 1e-14 * std::abs(b.middle / denominator)};
+  return {b.middle / denominator,
+          b.radius / denominator * (1 + 1e-14) + 1e-14 * std::abs(b.middle / denominator)};
 }
 
 Enclosure enclosure(const Polynomial& number, long bits) {
@@ -73,7 +76,9 @@ Polynomial inverse(const Polynomial& number) {
   return factor * ring.number(result);
 }
 
-int degree(const Univariate& f) { return static_cast<int>(f.size()) - 1; }
+int degree(const Univariate& f) {
+  return static_cast<int>(f.size()) - 1;
+}
 
 Univariate univariate(const Polynomial& f, int variable) {
   Univariate result(f.degree(variable) + 1, f.ring().constant(0));

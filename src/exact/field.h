@@ -18,7 +18,7 @@ Polynomial inverse(const Polynomial& number);
 
 using Univariate = std::vector<Polynomial>;
 
-int degree(const Univariate&);  ///< -1 for 0
+int degree(const Univariate&);                           ///< -1 for 0
 Univariate univariate(const Polynomial&, int variable);  ///< requires no other variable
 Univariate trimmed(Univariate);
 Univariate operator+(const Univariate&, const Univariate&);
@@ -26,7 +26,7 @@ Univariate operator-(const Univariate&, const Univariate&);
 Univariate operator*(const Univariate&, const Univariate&);
 Univariate operator*(const Polynomial&, const Univariate&);
 Univariate derivative(const Univariate&);
-Univariate monic(const Univariate&);  ///< requires != 0
+Univariate monic(const Univariate&);                        ///< requires != 0
 Polynomial value(const Univariate&, const Polynomial& at);  ///< requires != 0
 
 struct Division {

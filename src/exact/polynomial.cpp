@@ -25,7 +25,8 @@ Built build(const Polynomial& like) {
 }
 
 // a, as coefficients of powers of one symbol.
-std::vector<Mpoly> split(const fmpz_mpoly_t a, int symbol, const fmpz_mpoly_ctx_struct* context) {
+std::vector<Mpoly> split(const fmpz_mpoly_t a, int symbol,
+                         const fmpz_mpoly_ctx_struct* context) {
   std::vector<Mpoly> result(fmpz_mpoly_degree_si(a, symbol, context) + 1, Mpoly(context));
   fmpz_mpoly_univar_t parts;
   fmpz_mpoly_univar_init(parts, context);
@@ -69,14 +70,20 @@ Polynomial reduced(Built value) {
 }
 
 void same_ring(const Polynomial& a, const Polynomial& b) {
-  require(&a.ring() == &b.ring(), "Polynomial: elements of different rings");
+  require(&a.ring() == &b.ring() || (a.ring().tower() == b.ring().tower() &&
+                                     a.ring().variables() == b.ring().variables()),
+          "Polynomial: elements of different rings");
 }
 
 }  // namespace
 
-const Ring& Polynomial::ring() const { return *body_->ring; }
+const Ring& Polynomial::ring() const {
+  return *body_->ring;
+}
 
-bool Polynomial::is_zero() const { return fmpq_mpoly_is_zero(body_->it, body_->context()); }
+bool Polynomial::is_zero() const {
+  return fmpq_mpoly_is_zero(body_->it, body_->context());
+}
 
 bool Polynomial::is_number() const {
   for (std::size_t i = 0; i < ring().variables().size(); ++i)
@@ -135,7 +142,9 @@ Polynomial operator*(const Rational& a, const Polynomial& b) {
   return Polynomial(result);
 }
 
-Polynomial Polynomial::operator-() const { return Rational(-1) * *this; }
+Polynomial Polynomial::operator-() const {
+  return Rational(-1) * *this;
+}
 
 Polynomial Polynomial::pow(int exponent) const {
   require(exponent >= 0, "Polynomial::pow: negative exponent");
@@ -174,7 +183,8 @@ Polynomial Polynomial::substitute(const RingPtr& target,
                           std::size_t variable) -> Polynomial {
     if (variable == values.size()) return target->embed(terms.begin()->second);
     std::map<int, std::map<Exponents, Polynomial>> by_power;
-    for (const auto& [exponents, c] : terms) by_power[exponents[variable]].emplace(exponents, c);
+    for (const auto& [exponents, c] : terms)
+      by_power[exponents[variable]].emplace(exponents, c);
     Polynomial result = target->constant(0);
     int power = 0;
     for (auto it = by_power.rbegin(); it != by_power.rend(); ++it) {
@@ -193,7 +203,8 @@ Polynomial Polynomial::substitute(const RingPtr& target,
   return horner(horner, terms, 0);
 }
 
-std::map<Exponents, Polynomial> Polynomial::coefficients(const std::vector<int>& variables) const {
+std::map<Exponents, Polynomial> Polynomial::coefficients(
+    const std::vector<int>& variables) const {
   std::map<Exponents, std::map<Exponents, Polynomial>> groups;
   const auto numerators = this->numerators();
   const RingPtr numbers = Ring::make(ring().tower(), {});
@@ -206,7 +217,8 @@ std::map<Exponents, Polynomial> Polynomial::coefficients(const std::vector<int>&
     groups[outer].emplace(inner, numbers->number(coordinates, numerators.denominator));
   }
   std::map<Exponents, Polynomial> result;
-  for (const auto& [outer, terms] : groups) result.emplace(outer, body_->ring->polynomial(terms));
+  for (const auto& [outer, terms] : groups)
+    result.emplace(outer, body_->ring->polynomial(terms));
   return result;
 }
 

@@ -35,9 +35,11 @@ class Ring : public std::enable_shared_from_this<Ring> {
   std::optional<Polynomial> symbol(const std::string& name) const;
   /// coordinates / denominator. The coordinates may be those of a lower tower.
   Polynomial number(const Coordinates&, const Integer& denominator = 1) const;
-  /// sum of coefficient * monomial; the coefficients are numbers over this tower or a lower one.
+  /// sum of coefficient * monomial; the coefficients are numbers over this tower or a lower
+  /// one.
   Polynomial polynomial(const std::map<Exponents, Polynomial>&) const;
-  /// The same polynomial as an element of this ring, which has all its variables, over this tower or a higher one.
+  /// The same polynomial as an element of this ring, which has all variables that occur, over
+  /// this tower or a higher one.
   Polynomial embed(const Polynomial&) const;
 
   struct Body;  ///< FLINT's side of it
@@ -57,12 +59,12 @@ class Polynomial {
 
   const Ring& ring() const;
   bool is_zero() const;
-  bool is_number() const;                   ///< no variables
-  std::optional<Rational> rational() const; ///< if it is one
-  int degree(int variable) const;           ///< -1 for 0
+  bool is_number() const;                               ///< no variables
+  std::optional<Rational> rational() const;             ///< if it is one
+  int degree(int variable) const;                       ///< -1 for 0
   int degree(const std::vector<int>& variables) const;  ///< total, in these
 
-  /// Requires elements of one ring.
+  /// Requires elements of one ring (or of two over one tower, in the same variables).
   friend Polynomial operator+(const Polynomial&, const Polynomial&);
   friend Polynomial operator-(const Polynomial&, const Polynomial&);
   friend Polynomial operator*(const Polynomial&, const Polynomial&);
@@ -76,10 +78,12 @@ class Polynomial {
   /// Each variable of this ring replaced by an element of `target`, whose tower is the same.
   Polynomial substitute(const RingPtr& target, const std::vector<Polynomial>& values) const;
 
-  /// As a polynomial in some of the variables: the coefficients, elements of the same ring, that are not 0.
+  /// As a polynomial in some of the variables: the coefficients, elements of the same ring,
+  /// that are not 0.
   std::map<Exponents, Polynomial> coefficients(const std::vector<int>& variables) const;
 
-  /// The numbers in front of the monomials in all variables, times the positive number `denominator`.
+  /// The numbers in front of the monomials in all variables, times the positive number
+  /// `denominator`.
   struct Numerators {
     std::map<Exponents, Coordinates> terms;
     Integer denominator = 1;

@@ -6,9 +6,9 @@
 #include "exact/contract.h"
 #include "exact/enclosures.h"
 
-// A relation r0 value + sum r_i basis_i = 0 with small integers is a short vector of the lattice of the rows
-// (unit vector, 2^bits * number). By chance a relation has entries of about bits / (dimension + 1) bits;
-// one with much smaller entries is believed.
+// A relation r0 value + sum r_i basis_i = 0 with small integers is a short vector of the
+// lattice of the rows (unit vector, 2^bits * number). By chance a relation has entries of about
+// bits / (dimension + 1) bits; one with much smaller entries is believed.
 
 namespace seam::exact {
 

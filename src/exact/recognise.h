@@ -7,8 +7,8 @@
 
 namespace seam::exact {
 
-/// Search only: a number over the tower, with small coordinates, that is close to `value`, which is
-/// right to about `bits` bits. Lattice reduction.
+/// Search only: a number over the tower, with small coordinates, that is close to `value`,
+/// which is right to about `bits` bits. Lattice reduction.
 std::optional<Polynomial> recognise(const RingPtr& numbers, const Rational& value, long bits);
 
 /// The fraction of least denominator within `tolerance` of the value. Stern-Brocot.

@@ -61,8 +61,12 @@ RingPtr Ring::make(TowerPtr tower, std::vector<std::string> variables) {
   return ring;
 }
 
-const TowerPtr& Ring::tower() const { return body_->tower; }
-const std::vector<std::string>& Ring::variables() const { return body_->variables; }
+const TowerPtr& Ring::tower() const {
+  return body_->tower;
+}
+const std::vector<std::string>& Ring::variables() const {
+  return body_->variables;
+}
 
 Polynomial Ring::constant(const Rational& value) const {
   auto result = std::make_shared<Polynomial::Body>(shared_from_this());
@@ -82,7 +86,8 @@ std::optional<Polynomial> Ring::symbol(const std::string& name) const {
     return variable(static_cast<int>(at - names.begin()));
   for (std::size_t k = 0; k < body_->generators.size(); ++k)
     if (body_->generators[k]->symbol() == name)
-      return Rational(1, body_->generators[k]->scale()) * variable(body_->position(static_cast<int>(k)));
+      return Rational(1, body_->generators[k]->scale()) *
+             variable(body_->position(static_cast<int>(k)));
   return std::nullopt;
 }
 
@@ -124,18 +129,17 @@ Polynomial Ring::polynomial(const std::map<Exponents, Polynomial>& terms) const 
 
 Polynomial Ring::embed(const Polynomial& from) const {
   const auto& names = from.ring().variables();
-  std::vector<std::size_t> places;
-  for (const std::string& name : names) {
-    const auto at = std::ranges::find(body_->variables, name);
-    require(at != body_->variables.end(), "Ring::embed: a variable is missing");
-    places.push_back(static_cast<std::size_t>(at - body_->variables.begin()));
-  }
   const auto numerators = from.numerators();
   auto result = std::make_shared<Polynomial::Body>(shared_from_this());
   Mpoly sum(body_->integral());
   for (const auto& [exponents, coordinates] : numerators.terms) {
     Exponents mapped(body_->variables.size(), 0);
-    for (std::size_t i = 0; i < places.size(); ++i) mapped[places[i]] = exponents[i];
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (exponents[i] == 0) continue;
+      const auto at = std::ranges::find(body_->variables, names[i]);
+      require(at != body_->variables.end(), "Ring::embed: a variable is missing");
+      mapped[static_cast<std::size_t>(at - body_->variables.begin())] = exponents[i];
+    }
     push_terms(sum, *body_, coordinates, mapped);
   }
   fmpz_mpoly_sort_terms(sum.it, body_->integral());

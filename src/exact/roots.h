@@ -25,11 +25,13 @@ std::vector<RootInterval> real_roots(const Univariate& squarefree, const Rationa
 /// Half as wide at least.
 RootInterval halved(const Univariate& squarefree, const RootInterval&);
 
-/// The monic irreducible factor (over the tower of its coefficients) that vanishes at the root. Trager.
+/// The monic irreducible factor (over the tower of its coefficients) that vanishes at the root.
+/// Trager.
 Univariate irreducible_factor(const Univariate& squarefree, RootInterval root);
 
-/// An interval around a root of an irreducible polynomial of degree >= 2: the polynomial has opposite
-/// signs at the ends, and its derivative, in plain interval arithmetic, is not 0 over it.
+/// An interval around a root of an irreducible polynomial of degree >= 2: the polynomial has
+/// opposite signs at the ends, and its derivative, in plain interval arithmetic, is not 0 over
+/// it.
 struct Bracket {
   Rational low, high;
 };

@@ -68,7 +68,9 @@ Sign Rows::sign(int index) const {
   return exact::sign(tower_, at(index));
 }
 
-Ball Rows::ball(int index) const { return exact::ball(tower_, at(index)); }
+Ball Rows::ball(int index) const {
+  return exact::ball(tower_, at(index));
+}
 
 void Rows::combine(int target, const std::vector<Term>& terms) {
   fmpz* sum = block_->sum;

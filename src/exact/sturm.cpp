@@ -6,8 +6,8 @@
 #include "exact/contract.h"
 #include "exact/roots.h"
 
-// Sturm: the number of roots in (a, b] is the drop, from a to b, of the changes of sign in the chain
-// f, f', and negated remainders. Halving ends because roots are distinct.
+// Sturm: the number of roots in (a, b] is the drop, from a to b, of the changes of sign in the
+// chain f, f', and negated remainders. Halving ends because roots are distinct.
 
 namespace seam::exact {
 
@@ -59,7 +59,8 @@ Integer root_bound(const Univariate& f) {
   return power;
 }
 
-void isolate(const Chain& chain, const Rational& low, const Rational& high, int at_low, int at_high,
+void isolate(const Chain& chain, const Rational& low, const Rational& high, int at_low,
+             int at_high,
              std::vector<RootInterval>& roots) {  // in (low, high]
   const int count = at_low - at_high;
   if (count == 0) return;

@@ -10,14 +10,16 @@
 
 // Why `sign` ends.
 //
-//   The basis is one over the rationals (each defining polynomial is irreducible over the field below), so a
-//   number with a nonzero coordinate is not 0, and some precision separates it from 0.
+//   The basis is one over the rationals (each defining polynomial is irreducible over the field
+//   below), so a number with a nonzero coordinate is not 0, and some precision separates it
+//   from 0.
 //
 // Why an enclosure of a root is narrowed to any precision.
 //
-//   The bracket holds one root, and the signs at its ends differ. Halving keeps that. A midpoint is
-//   rational, hence no root of an irreducible polynomial of degree >= 2. Once the derivative has no zero in
-//   the bracket (the root is simple) Newton's interval step m - p(m)/p'(X) doubles the digits.
+//   The bracket holds one root, and the signs at its ends differ. Halving keeps that. A
+//   midpoint is rational, hence no root of an irreducible polynomial of degree >= 2. Once the
+//   derivative has no zero in the bracket (the root is simple) Newton's interval step m -
+//   p(m)/p'(X) doubles the digits.
 
 namespace seam::exact {
 
@@ -42,11 +44,14 @@ int dimension(const TowerPtr& tower) {
   return tower ? tower->degree() * dimension(tower->below()) : 1;
 }
 
-int height(const TowerPtr& tower) { return tower ? 1 + height(tower->below()) : 0; }
+int height(const TowerPtr& tower) {
+  return tower ? 1 + height(tower->below()) : 0;
+}
 
 std::vector<const Tower*> steps(const TowerPtr& tower) {
   std::vector<const Tower*> result;
-  for (const Tower* step = tower.get(); step; step = step->below().get()) result.push_back(step);
+  for (const Tower* step = tower.get(); step; step = step->below().get())
+    result.push_back(step);
   std::ranges::reverse(result);
   return result;
 }
@@ -97,7 +102,8 @@ Arb bracket(const Rational& low, const Rational& high, long precision) {
   return result;
 }
 
-// Narrows `e.root` by Newton's interval step until it no longer helps; false if the derivative may vanish.
+// Narrows `e.root` by Newton's interval step until it no longer helps; false if the derivative
+// may vanish.
 bool newton(Tower::Enclosures& e, const std::vector<Arb>& tail, long precision) {
   for (;;) {
     const Arb slope = defining(tail, e.root, true, precision);
@@ -179,8 +185,7 @@ Arb evaluate(const TowerPtr& tower, const Coordinates& number, long precision) {
   }
   const auto& basis = enclosures(tower, precision).basis;
   for (std::size_t i = 0; i < number.size(); ++i)
-    if (number[i] != 0)
-      arb_addmul_fmpz(result.it, basis[i].it, Fmpz(number[i]).it, precision);
+    if (number[i] != 0) arb_addmul_fmpz(result.it, basis[i].it, Fmpz(number[i]).it, precision);
   return result;
 }
 

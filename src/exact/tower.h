@@ -17,16 +17,17 @@ using Coordinates = std::vector<Integer>;
 
 /// A real number field: the field `below` with one more real root adjoined.
 ///
-/// The root goes by the name of a `symbol`, and internally by h = scale * symbol, which is integral: its
-/// defining polynomial is monic with coefficients that have integer coordinates. The basis
-/// is h^e * (basis of the field below), e = 0, 1, ..., degree - 1, with e the slower index.
+/// The root goes by the name of a `symbol`, and internally by h = scale * symbol, which is
+/// integral: its defining polynomial is monic with coefficients that have integer coordinates.
+/// The basis is h^e * (basis of the field below), e = 0, 1, ..., degree - 1, with e the slower
+/// index.
 ///
 /// That the defining polynomial is irreducible is the caller's promise (`factor.h`
 /// makes it so); it makes a number zero exactly when its coordinates are.
 class Tower {
  public:
-  /// The root of h^degree = sum tail[j] h^j that lies strictly between scale * low and scale * high. The polynomial
-  /// has opposite signs there and this root only.
+  /// The root of h^degree = sum tail[j] h^j that lies strictly between scale * low and scale *
+  /// high. The polynomial has opposite signs there and this root only.
   Tower(TowerPtr below, std::string symbol, Integer scale, std::vector<Coordinates> tail,
         Rational low, Rational high);
   ~Tower();
@@ -51,8 +52,8 @@ class Tower {
   mutable std::unique_ptr<Enclosures> enclosures_;
 };
 
-int dimension(const TowerPtr&);               ///< over the rationals
-int height(const TowerPtr&);                  ///< how many generators
+int dimension(const TowerPtr&);                    ///< over the rationals
+int height(const TowerPtr&);                       ///< how many generators
 std::vector<const Tower*> steps(const TowerPtr&);  ///< the lowest first
 
 /// Sign of a number: by enclosures at growing precision, zero by its coordinates.

@@ -25,8 +25,8 @@ Proposition g1(const Patch& p, const Patch& q, const Numbers&);
 Proposition g2(const Patch& p, const Patch& q, const Numbers&);
 
 /// Every seam; and at every interior corner the patches wind round the normal exactly once.
-/// Several patches that hang not together through seams fail: nothing is true of a surface for
-/// want of seams.
+/// Several patches that do not hang together through seams fail: smoothness is never claimed
+/// for want of seams.
 Proposition g1(const Surface&, const Numbers&);
 Proposition g2(const Surface&, const Numbers&);
 

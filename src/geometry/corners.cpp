@@ -19,7 +19,10 @@ namespace {
 struct SideEnd {
   int patch, side;
   bool start;
-  auto operator<=>(const SideEnd&) const = default;
+  bool operator==(const SideEnd&) const = default;
+  bool operator<(const SideEnd& other) const {
+    return std::tie(patch, side, start) < std::tie(other.patch, other.side, other.start);
+  }
 };
 
 using Gluing = std::map<SideEnd, SideEnd>;

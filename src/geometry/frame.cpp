@@ -40,6 +40,11 @@ Matrix Frame::carry(const Point& x, const Point& y, bool mirrored,
   return result;
 }
 
+bool Frame::fits(const Point& x, const Point& y, const Numbers& numbers) const {
+  return equal(norm2(x), norm2(a_), numbers) && equal(norm2(y), norm2(b_), numbers) &&
+         equal(dot(x, y), dot(a_, b_), numbers);
+}
+
 std::vector<std::pair<int, int>> Frame::images(const std::vector<Point>& points,
                                                const Numbers& numbers) const {
   const auto from_a = approximate(a_, numbers), from_b = approximate(b_, numbers);
@@ -51,7 +56,8 @@ std::vector<std::pair<int, int>> Frame::images(const std::vector<Point>& points,
   for (int i = 0; i < std::ssize(to); ++i) {
     if (!like(to[i], to[i], dot(from_a, from_a))) continue;
     for (int j = 0; j < std::ssize(to); ++j)
-      if (like(to[j], to[j], dot(from_b, from_b)) && like(to[i], to[j], dot(from_a, from_b)))
+      if (like(to[j], to[j], dot(from_b, from_b)) && like(to[i], to[j], dot(from_a, from_b)) &&
+          fits(points[i], points[j], numbers))
         result.emplace_back(i, j);
   }
   return result;

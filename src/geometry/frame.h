@@ -20,14 +20,12 @@ class Frame {
   /// is orthogonal exactly if x and y have the dot products of a and b.
   Matrix carry(const Point& x, const Point& y, bool mirrored, const Numbers&) const;
 
-  /// All ordered pairs i, j whose points have, as far as doubles can see, the dot products of a
-  /// and b.
+  /// All ordered pairs i, j whose points have the dot products of a and b, decided exactly.
   std::vector<std::pair<int, int>> images(const std::vector<Point>&, const Numbers&) const;
 
-  const Point& a() const { return a_; }
-  const Point& b() const { return b_; }
-
  private:
+  bool fits(const Point& x, const Point& y, const Numbers&) const;
+
   Frame(Point a, Point b, Numbers&);
   Point a_, b_;
   std::vector<Point> dual_;  ///< its products with a, b, a x b form the identity

@@ -47,6 +47,7 @@ bool on_a_seam(const Surface& s, const SideIndex& side) {
 
 std::vector<Point> midpoints(const std::vector<Curve>& curves) {
   std::vector<Point> result;
+  result.reserve(curves.size());
   for (const Curve& curve : curves)
     result.push_back(evaluate(curve, Formula(exact::Rational(1, 2))));
   return result;

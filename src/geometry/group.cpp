@@ -20,16 +20,14 @@ bool permutes(const Matrix& m, const std::vector<Point>& vertices, const PointIn
       vertices, [&](const Point& vertex) { return index.find(m * vertex).has_value(); });
 }
 
-bool keeps_products(const Frame& frame, const Point& x, const Point& y,
-                    const Numbers& numbers) {
-  return equal(dot(x, x), dot(frame.a(), frame.a()), numbers) &&
-         equal(dot(x, y), dot(frame.a(), frame.b()), numbers) &&
-         equal(dot(y, y), dot(frame.b(), frame.b()), numbers);
+bool is_identity(const Matrix& m, const Numbers& numbers) {
+  return std::ranges::equal(m.rows, identity(3).rows, [&](const Point& a, const Point& b) {
+    return equal(a, b, numbers);
+  });
 }
 
 std::vector<Matrix> group(const Mesh& mesh, bool with_reflections, Numbers& numbers) {
-  std::vector<Point> vertices;
-  for (const Point& vertex : mesh.vertices) vertices.push_back(normal_form(vertex, numbers));
+  const std::vector<Point> vertices = distinct(mesh.vertices, numbers);
   const PointIndex index(vertices, numbers);
   const auto frame = Frame::of(vertices, numbers);
   if (!frame)
@@ -37,17 +35,17 @@ std::vector<Matrix> group(const Mesh& mesh, bool with_reflections, Numbers& numb
         "the vertices lie on one line through the origin: their symmetries are not finite in "
         "number");
 
-  std::vector<Matrix> result{identity(3)};
+  std::vector<Matrix> result;
   for (const bool mirrored : {false, true}) {
     if (mirrored && !with_reflections) break;
     for (const auto& [i, j] : frame->images(vertices, numbers)) {
-      if (!keeps_products(*frame, vertices[i], vertices[j], numbers)) continue;
       Matrix m = frame->carry(vertices[i], vertices[j], mirrored, numbers);
-      const bool is_identity = !mirrored && equal(vertices[i], frame->a(), numbers) &&
-                               equal(vertices[j], frame->b(), numbers);
-      if (!is_identity && permutes(m, vertices, index)) result.push_back(std::move(m));
+      if (permutes(m, vertices, index)) result.push_back(std::move(m));
     }
   }
+  const auto unit =
+      std::ranges::find_if(result, [&](const Matrix& m) { return is_identity(m, numbers); });
+  std::rotate(result.begin(), unit, unit + 1);
   return result;
 }
 

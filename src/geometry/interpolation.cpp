@@ -16,6 +16,7 @@ using symbolic::Zero;
 
 std::vector<Point> places(const Patch& p) {
   std::vector<Point> result;
+  result.reserve(2 * p.sides() + 1);
   for (int number = 0; number < p.sides(); ++number) result.push_back(corner(p, number));
   const Formula half(exact::Rational(1, 2)), third(exact::Rational(1, 3));
   for (int side = 1; side <= p.sides(); ++side) result.push_back(evaluate(edge(p, side), half));

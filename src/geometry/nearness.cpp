@@ -28,6 +28,7 @@ Approximation approximate(const Point& point, const Numbers& numbers) {
 std::vector<Approximation> approximate(const std::vector<Point>& points,
                                        const Numbers& numbers) {
   std::vector<Approximation> result;
+  result.reserve(points.size());
   for (const Point& point : points) result.push_back(approximate(point, numbers));
   return result;
 }
@@ -54,6 +55,21 @@ double dot(const Approximation& a, const Approximation& b) {
 Approximation operator-(const Approximation& a, const Approximation& b) {
   Approximation result = a;
   for (std::size_t i = 0; i < a.size(); ++i) result[i] -= b[i];
+  return result;
+}
+
+std::vector<Point> distinct(const std::vector<Point>& points, const Numbers& numbers) {
+  std::vector<Point> result;
+  std::vector<Approximation> seen;
+  for (const Point& point : points) {
+    Approximation here = approximate(point, numbers);
+    bool known = false;
+    for (std::size_t i = 0; i < seen.size() && !known; ++i)
+      known = near(seen[i], here) && equal(result[i], point, numbers);
+    if (known) continue;
+    result.push_back(normal_form(point, numbers));
+    seen.push_back(std::move(here));
+  }
   return result;
 }
 

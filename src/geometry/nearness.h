@@ -22,6 +22,9 @@ bool near(const Approximation& a, const Approximation& b);
 double dot(const Approximation& a, const Approximation& b);
 Approximation operator-(const Approximation& a, const Approximation& b);
 
+/// Each point once, in normal form, in the order of first occurrence.
+std::vector<Point> distinct(const std::vector<Point>&, const Numbers&);
+
 /// Points to be found again.
 class PointIndex {
  public:

@@ -84,7 +84,7 @@ const Point& corner(const Patch&, int number);
 /// all symmetries of the domain (6 of the triangle, 8 of the square), each once.
 Patch along(const Patch&, int k, bool reversed);
 
-Patch swap(const Patch&);  ///< u and v exchanged
+Patch swap(const Patch&);  ///< u and v exchanged  NOLINT(bugprone-exception-escape)
 
 /// The same curve or surface, every degree raised by one.
 Patch elevate(const Patch&);

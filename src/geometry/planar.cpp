@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/contact.h"
 
-// Points lie in one plane exactly if their differences from the first have rank 2 at most, that
-// is if all 3 x 3 minors of the matrix of these differences vanish.
+// Points lie in one plane exactly if their differences d from the first have rank 2 at most,
+// that is if every determinant of three of them, in any three coordinates, vanishes. By Cauchy
+// and Binet the sum of the squares of these determinants, for three coordinates, is the
+// determinant of the 3 x 3 matrix sum d d^T; it vanishes, being a sum of squares, only if all
+// of them do.
 
 namespace seam::geometry {
 namespace {
@@ -10,29 +13,29 @@ namespace {
 using symbolic::all;
 using symbolic::atom;
 
-std::vector<std::vector<int>> triples(int n) {
-  std::vector<std::vector<int>> result;
-  for (int a = 0; a < n; ++a)
-    for (int b = a + 1; b < n; ++b)
-      for (int c = b + 1; c < n; ++c) result.push_back({a, b, c});
-  return result;
+Formula sum_of_squared_determinants(const std::vector<Point>& vectors) {
+  std::vector<Point> gram(3, Point(3));
+  for (const Point& d : vectors)
+    for (int row = 0; row < 3; ++row) gram[row] = gram[row] + d[row] * d;
+  return determinant(gram);
 }
 
 }  // namespace
 
 Proposition planar(const std::vector<Point>& points) {
   std::vector<Proposition> parts;
-  if (points.size() < 4) return all({});
-  std::vector<Point> differences;
-  for (std::size_t i = 1; i < points.size(); ++i) differences.push_back(points[i] - points[0]);
-  for (const auto& chosen : triples(static_cast<int>(differences.size())))
-    for (const auto& rows : triples(static_cast<int>(points[0].size()))) {
-      std::vector<Point> columns;
-      for (const int k : chosen)
-        columns.push_back(
-            {differences[k][rows[0]], differences[k][rows[1]], differences[k][rows[2]]});
-      parts.push_back(atom(symbolic::Zero{determinant(columns)}, "in one plane"));
-    }
+  const std::size_t dimension = points.empty() ? 0 : points[0].size();
+  for (std::size_t a = 0; a < dimension; ++a)
+    for (std::size_t b = 0; b < a; ++b)
+      for (std::size_t c = 0; c < b; ++c) {
+        std::vector<Point> differences;
+        differences.reserve(points.size());
+        for (const Point& x : points)
+          differences.push_back(Point{x[a], x[b], x[c]} -
+                                Point{points[0][a], points[0][b], points[0][c]});
+        parts.push_back(
+            atom(symbolic::Zero{sum_of_squared_determinants(differences)}, "in one plane"));
+      }
   return all(std::move(parts));
 }
 

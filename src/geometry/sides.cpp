@@ -77,6 +77,7 @@ Curve edge(const Patch& p, int k) {
   return {along(p, k, false).rows()[0]};
 }
 
+// NOLINTNEXTLINE(bugprone-exception-escape): not the swap of two values
 Patch swap(const Patch& p) {
   return along(p, 2, false);
 }

@@ -86,25 +86,17 @@ struct Found {
   Matching matching;  // of the centred patches
 };
 
-bool keeps_products(const Frame& frame, const Point& x, const Point& y,
-                    const Numbers& numbers) {
-  return equal(norm2(x), norm2(frame.a()), numbers) &&
-         equal(norm2(y), norm2(frame.b()), numbers) &&
-         equal(dot(x, y), dot(frame.a(), frame.b()), numbers);
-}
-
 std::optional<Found> find(const Pair& pair, Numbers& numbers) {
-  const auto frame = Frame::of(pair.s.points, numbers);
+  const auto frame = Frame::of(distinct(pair.s.points, numbers), numbers);
   if (!frame) return std::nullopt;
   const Formula from = moments(pair.s.points)[0].value, to = moments(pair.t.points)[0].value;
   if (is_zero(to, numbers)) return std::nullopt;
   const Formula scale = numbers.sqrt(to * numbers.inverse(from));
   const Formula shrink = numbers.inverse(scale);
-  std::vector<Point> points;
-  for (const Point& x : pair.t.points) points.push_back(normal_form(shrink * x, numbers));
+  std::vector<Point> points = distinct(pair.t.points, numbers);
+  for (Point& x : points) x = normal_form(shrink * x, numbers);
 
   for (const auto& [i, j] : frame->images(points, numbers)) {
-    if (!keeps_products(*frame, points[i], points[j], numbers)) continue;
     for (const bool mirrored : {false, true}) {
       const Matrix m = frame->carry(points[i], points[j], mirrored, numbers);
       if (auto matching = match(pair, scale, m, numbers)) {

@@ -70,6 +70,7 @@ Proposition winds_once(const Surface& s, const Corner& corner) {
 
   const Point n = cross(d[0], d[1]);
   std::vector<Proposition> parts;
+  parts.reserve(2 * d.size());
   for (int i = 0; i < k; ++i)
     parts.push_back(sign(dot(n, cross(d[i], d[i + 1])), Relation::positive,
                          "the sectors turn in one sense"));

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "exact/square.h"
 #include "prove/sign.h"
 #include "prove/touch.h"
 
-// Subdivision in bursts; whenever one ends undecided, a look at what is left: does f touch 0 there, or is
-// it a square times something simpler?
+// Subdivision in bursts; whenever one ends undecided, a look at what is left: does f touch 0
+// there, or is it a square times something simpler?
 
 namespace seam::prove {
 
@@ -19,10 +20,12 @@ namespace {
 constexpr long first_burst = 60;
 constexpr int most_touches = 24;
 
-Sign sign_at(Workshop& workshop, const Factors& factors, const Polynomial& f, const Place& place) {
+Sign sign_at(Workshop& workshop, const Factors& factors, const Polynomial& f,
+             const Place& place) {
   std::vector<Polynomial> values;
   for (std::size_t k = 0; k < factors.size(); ++k)
-    for (const Polynomial& x : point(factors[k], place[k])) values.push_back(workshop.numbers()->embed(x));
+    for (const Polynomial& x : point(factors[k], place[k]))
+      values.push_back(workshop.numbers()->embed(x));
   return exact::sign(f.substitute(workshop.numbers(), values));
 }
 
@@ -53,6 +56,19 @@ Answer neither(std::string reason, std::string detail) {
   return {Answer::Kind::neither, {}, {}, Sign::zero, {std::move(reason), std::move(detail)}};
 }
 
+// "Yes" because f = root^2 * cofactor with cofactor >= 0; nothing if that does not come out.
+std::optional<Answer> by_square(Workshop& workshop, const Question& question) {
+  const auto split = exact::square_factor(question.f);
+  if (!split) return std::nullopt;
+  Question rest = question;
+  rest.f = split->cofactor;
+  Answer answer = decide(workshop, std::move(rest));
+  if (answer.kind != Answer::Kind::yes || answer.pieces.square >= 0) return std::nullopt;
+  answer.pieces.square = workshop.write(split->root);
+  answer.pieces.cofactor = workshop.write(split->cofactor);
+  return answer;
+}
+
 }  // namespace
 
 Answer decide(Workshop& workshop, Question question) {
@@ -73,9 +89,12 @@ Answer decide(Workshop& workshop, Question question) {
         return neither("time", "the time given was over after " +
                                    std::to_string(search.looked_at()) + " pieces");
       case Subdivision::Outcome::hopeless:
-        return neither("degenerate",
-                       "the formula touches 0 at a corner of a product of domains, where its "
-                       "mixed derivative is negative; no subdivision of the product shows its sign");
+        if (may_be_square)
+          if (auto answer = by_square(workshop, question)) return *answer;
+        return neither(
+            "degenerate",
+            "the formula touches 0 at a corner of a product of domains, where its "
+            "mixed derivative is negative; no subdivision of the product shows its sign");
       case Subdivision::Outcome::paused:
         break;
     }
@@ -91,7 +110,8 @@ Answer decide(Workshop& workshop, Question question) {
         for (std::size_t k = 0; k < place.size(); ++k)
           for (std::size_t i = 0; i < place[k].size(); ++i) {
             const auto numbers = workshop.numbers();
-            if (!(numbers->embed(place[k][i]) == numbers->embed(touch.place[k][i]))) return false;
+            if (!(numbers->embed(place[k][i]) == numbers->embed(touch.place[k][i])))
+              return false;
           }
         return true;
       };
@@ -107,19 +127,10 @@ Answer decide(Workshop& workshop, Question question) {
       continue;
     }
     if (std::exchange(may_be_square, false))
-      if (const auto split = exact::square_factor(question.f)) {
-        Question rest = question;
-        rest.f = split->cofactor;
-        Answer answer = decide(workshop, std::move(rest));
-        if (answer.kind == Answer::Kind::yes && answer.pieces.square < 0) {
-          answer.pieces.square = workshop.write(split->root);
-          answer.pieces.cofactor = workshop.write(split->cofactor);
-          return answer;
-        }
-      }
+      if (auto answer = by_square(workshop, question)) return *answer;
     if (burst >= effort)
-      return neither("effort", "undecided after " + std::to_string(search.looked_at()) +
-                                   " pieces");
+      return neither("effort",
+                     "undecided after " + std::to_string(search.looked_at()) + " pieces");
     burst = std::min(4 * burst, effort);
   }
 }

@@ -7,7 +7,8 @@
 
 namespace seam::prove {
 
-/// The weights w with sum w_j corners[j] = point, for as many corners as coordinates. Doubles: empty if singular.
+/// The weights w with sum w_j corners[j] = point, for as many corners as coordinates. Doubles:
+/// empty if singular.
 std::vector<double> barycentric(const std::vector<std::vector<double>>& corners,
                                 const std::vector<double>& point);
 /// Requires independent corners.

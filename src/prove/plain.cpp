@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <bit>
 
-// At a point whose positive coordinates are exactly those of a face, the monomials of that face are positive and
-// the others are 0. A larger face has the coefficients of a smaller one, so the smallest are enough.
+// At a point whose positive coordinates are exactly those of a face, the monomials of that face
+// are positive and the others are 0. A larger face has the coefficients of a smaller one, so
+// the smallest are enough, unless a condition takes a smaller one out of the domain; then all
+// are looked at.
 
 namespace seam::prove {
 
@@ -15,14 +17,16 @@ using exact::Sign;
 
 namespace {
 
-using Faces = std::vector<Corners>;  // smallest ones, of one factor
+using Faces = std::vector<Corners>;  // of one factor
 
-Faces smallest_inside(const Factor& factor, const std::vector<CornerPtr>& corners) {
+// Those inside the domain: all, or the smallest.
+Faces faces_inside(const Factor& factor, const std::vector<CornerPtr>& corners, bool all) {
   Faces faces;
   for (int size = 1; size <= static_cast<int>(corners.size()); ++size)
     for (Corners face = 1; face < 1U << corners.size(); ++face) {
       if (std::popcount(face) != size) continue;
-      if (std::ranges::any_of(faces, [&](Corners f) { return (f & ~face) == 0; })) continue;
+      if (!all && std::ranges::any_of(faces, [&](Corners f) { return (f & ~face) == 0; }))
+        continue;
       Corners support = 0;
       for (std::size_t i = 0; i < corners.size(); ++i)
         if ((face >> i & 1U) != 0) support |= corners[i]->support;
@@ -37,10 +41,16 @@ bool lies_in(const bernstein::Shape& shape, int index, const std::vector<Corners
   return true;
 }
 
+bool vanishes(const Form& form, const std::vector<Corners>& face) {
+  for (int i = 0; i < form.shape().count(); ++i)
+    if (lies_in(form.shape(), i, face) && form.sign(i) != Sign::zero) return false;
+  return true;
+}
+
 }  // namespace
 
 bool is_plain(const Factors& factors, const Piece& piece, const Form& form, int side,
-              bool strict) {
+              bool strict, const std::vector<const Form*>& not_zero) {
   const auto against = side > 0 ? Form::Guess::negative : Form::Guess::positive;
   const auto wanted = side > 0 ? Sign::positive : Sign::negative;
   const int count = form.shape().count();
@@ -58,14 +68,17 @@ bool is_plain(const Factors& factors, const Piece& piece, const Form& form, int 
 
   std::vector<Faces> faces;
   for (std::size_t k = 0; k < factors.size(); ++k) {
-    faces.push_back(smallest_inside(factors[k], piece.corners[k]));
+    faces.push_back(faces_inside(factors[k], piece.corners[k], !not_zero.empty()));
     if (faces.back().empty()) return true;  // no point of the piece is in the domain
   }
   std::vector<std::size_t> choice(faces.size(), 0);
   for (;;) {
     std::vector<Corners> face;
     for (std::size_t k = 0; k < faces.size(); ++k) face.push_back(faces[k][choice[k]]);
-    if (std::ranges::none_of(right, [&](int i) { return lies_in(form.shape(), i, face); }))
+    const bool is_met =
+        std::ranges::any_of(right, [&](int i) { return lies_in(form.shape(), i, face); });
+    if (!is_met &&
+        std::ranges::none_of(not_zero, [&](const Form* g) { return vanishes(*g, face); }))
       return false;
     std::size_t k = 0;
     while (k < choice.size() && ++choice[k] == faces[k].size()) choice[k++] = 0;
@@ -73,7 +86,8 @@ bool is_plain(const Factors& factors, const Piece& piece, const Form& form, int 
   }
 }
 
-bool is_broken(const Factors& factors, const Piece& piece, const Form& form, Relation relation) {
+bool is_broken(const Factors& factors, const Piece& piece, const Form& form,
+               Relation relation) {
   const auto plain = [&](int side, bool strict) {
     return is_plain(factors, piece, form, side, strict);
   };
@@ -85,7 +99,7 @@ bool is_broken(const Factors& factors, const Piece& piece, const Form& form, Rel
     case Relation::zero:
       return plain(1, true) || plain(-1, true);
     case Relation::nonzero:
-      return plain(1, false) && plain(-1, false);
+      return false;
     case Relation::nonpositive:
       return plain(1, true);
     case Relation::negative:

@@ -5,9 +5,12 @@
 
 namespace seam::prove {
 
-/// The coefficients show that form * side > 0 (strict) or >= 0 on the piece: none is negative; and if strict, each
-/// face of the piece that is not outside the domain has a positive one among its own.
-bool is_plain(const Factors&, const Piece&, const bernstein::Form&, int side, bool strict);
+/// The coefficients show that form * side > 0 (strict) or >= 0 on the piece: none is negative;
+/// and if strict, each face of the piece that is not outside the domain has a positive one
+/// among its own. A face on which one of `not_zero`, the conditions that exclude 0, has no
+/// coefficient is outside.
+bool is_plain(const Factors&, const Piece&, const bernstein::Form&, int side, bool strict,
+              const std::vector<const bernstein::Form*>& not_zero = {});
 
 /// The condition is broken all over the piece.
 bool is_broken(const Factors&, const Piece&, const bernstein::Form&, certificate::Relation);

@@ -14,17 +14,20 @@ namespace {
 // The table of strategies.
 struct Strategy {
   Workshop& workshop;
+  SignProver& signs;
   Proof operator()(const certificate::Zero& o) const { return prove_zero(workshop, o); }
-  Proof operator()(const certificate::Sign& o) const { return prove_sign(workshop, o); }
-  Proof operator()(const certificate::Solutions& o) const { return prove_solutions(workshop, o); }
+  Proof operator()(const certificate::Sign& o) const { return signs.prove(o); }
+  Proof operator()(const certificate::Solutions& o) const {
+    return prove_solutions(workshop, o);
+  }
   Proof operator()(const certificate::Gluing&) const { return prove_by_computation(); }
   Proof operator()(const certificate::Distinct&) const { return prove_by_computation(); }
 };
 
-Proof attempt(Workshop& workshop, const certificate::Obligation& obligation) {
-  if (workshop.late()) return certificate::Nothing{"time", "the time given was over"};
+Proof attempt(const Strategy& strategy, const certificate::Obligation& obligation) {
+  if (strategy.workshop.late()) return certificate::Nothing{"time", "the time given was over"};
   try {
-    return std::visit(Strategy{workshop}, obligation);
+    return std::visit(strategy, obligation);
   } catch (const Unfit& error) {
     return certificate::Nothing{"unsupported", error.what()};
   }
@@ -35,9 +38,10 @@ Proof attempt(Workshop& workshop, const certificate::Obligation& obligation) {
 certificate::Evidence prove(const certificate::Statement& statement, const Budget& budget) {
   certificate::Evidence evidence;
   Workshop workshop(statement, evidence, budget);
+  SignProver signs(workshop);
   std::vector<Proof> proofs;
   for (const auto& obligation : statement.obligations)
-    proofs.push_back(attempt(workshop, obligation));
+    proofs.push_back(attempt({workshop, signs}, obligation));
   evidence.proofs = std::move(proofs);
   return evidence;
 }

@@ -25,6 +25,8 @@ class SignProof {
     where_ = sign.domain.where;
   }
 
+  Polynomial f() { return workshop_.expand(term_, names_); }
+
   Proof prove(Relation relation) {
     switch (relation) {
       case Relation::positive:
@@ -50,15 +52,12 @@ class SignProof {
       result.where.push_back({workshop_.expand(condition.formula, names_), condition.relation});
     return result;
   }
-  Polynomial f() { return workshop_.expand(term_, names_); }
-
   Proof witness(const Place& place) {
     return certificate::Witness{write_point(workshop_, factors_, place), {}};
   }
 
   Proof by_question(int side, bool strict) {
-    const Answer answer =
-        decide(workshop_, question(exact::Rational(side) * f(), strict));
+    const Answer answer = decide(workshop_, question(exact::Rational(side) * f(), strict));
     switch (answer.kind) {
       case Answer::Kind::yes: {
         certificate::Pieces pieces = answer.pieces;
@@ -77,8 +76,7 @@ class SignProof {
 
   // A place where f is not 0 is one where -f^2 >= 0 fails.
   Proof zero() {
-    if (f().is_zero())
-      return certificate::Pieces{{{certificate::Step::Kind::plain, 0, {}}}, Relation::zero, -1, -1};
+    if (f().is_zero()) return certificate::Computation{};
     const Answer answer = decide(workshop_, question(-(f() * f()), false));
     if (answer.kind == Answer::Kind::no) return witness(answer.place);
     if (answer.kind == Answer::Kind::neither) return answer.nothing;
@@ -115,9 +113,16 @@ class SignProof {
 
 }  // namespace
 
-Proof prove_sign(Workshop& workshop, const certificate::Sign& sign) {
+Proof SignProver::prove(const certificate::Sign& sign) {
   if (sign.domain.factors.empty()) return certificate::Computation{};
-  return SignProof(workshop, sign).prove(sign.relation);
+  SignProof proof(*workshop_, sign);
+  const Polynomial f = proof.f();
+  for (const Settled& s : settled_)
+    if (s.sign.relation == sign.relation && s.sign.domain == sign.domain &&
+        s.f.ring().tower() == f.ring().tower() && s.f == f)
+      return s.proof;
+  settled_.push_back({sign, f, proof.prove(sign.relation)});
+  return settled_.back().proof;
 }
 
 }  // namespace seam::prove

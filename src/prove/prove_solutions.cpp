@@ -8,9 +8,10 @@
 #include "prove/sign.h"
 #include "prove/strategies.h"
 
-// The common roots of the coefficients F are the roots of their gcd, which the extended Euclidean algorithm writes
-// as a combination of them. Its real roots are isolated by Sturm's method; one in the domain that is
-// not claimed refutes. Otherwise subdivision shows that what is left has no root.
+// The common roots of the coefficients F are the roots of their gcd, which the extended
+// Euclidean algorithm writes as a combination of them. Its real roots are isolated by Sturm's
+// method; one in the domain that is not claimed refutes. Otherwise subdivision shows that what
+// is left has no root.
 
 namespace seam::prove {
 
@@ -33,9 +34,7 @@ using Homogeneous = std::vector<Polynomial>;  // (weight, x)
 class SolutionsProof {
  public:
   SolutionsProof(Workshop& workshop, const certificate::Solutions& stated)
-      : workshop_(workshop),
-        stated_(stated),
-        domain_(make_factor(workshop, stated.domain)) {
+      : workshop_(workshop), stated_(stated), domain_(make_factor(workshop, stated.domain)) {
     for (const auto& solution : stated.solutions) {
       is_exact_ = is_exact_ && solution.value >= 0;
       if (solution.value >= 0) claimed_.push_back(workshop.number(solution.value));
@@ -52,16 +51,14 @@ class SolutionsProof {
   }
 
  private:
-  Polynomial constant(const Rational& value) const { return workshop_.numbers()->constant(value); }
+  Polynomial constant(const Rational& value) const {
+    return workshop_.numbers()->constant(value);
+  }
 
   Univariate in_unknown(const Polynomial& f, int unknown) const {
     Univariate result;
-    for (const Polynomial& c : exact::univariate(f, unknown)) {
-      const auto [terms, denominator] = c.numerators();
-      result.push_back(terms.empty()
-                           ? constant(0)
-                           : workshop_.numbers()->number(terms.begin()->second, denominator));
-    }
+    for (const Polynomial& c : exact::univariate(f, unknown))
+      result.push_back(workshop_.numbers()->embed(c));
     return result;
   }
 
@@ -124,7 +121,8 @@ class SolutionsProof {
       if (solution.value >= 0) {
         if (x == x.ring().embed(workshop_.number(solution.value))) return true;
       } else if (exact::sign(x - x.ring().constant(Rational(solution.low))) != Sign::negative &&
-                 exact::sign(x.ring().constant(Rational(solution.high)) - x) != Sign::negative) {
+                 exact::sign(x.ring().constant(Rational(solution.high)) - x) !=
+                     Sign::negative) {
         return true;
       }
     }
@@ -239,7 +237,9 @@ class SolutionsProof {
   }
 
   bool is_one_point(const Factor& part) const {
-    const auto entry = [&](int i, int j) { return workshop_.numbers()->embed(part.corners[i][j]); };
+    const auto entry = [&](int i, int j) {
+      return workshop_.numbers()->embed(part.corners[i][j]);
+    };
     return (entry(0, 0) * entry(1, 1) - entry(0, 1) * entry(1, 0)).is_zero();
   }
 

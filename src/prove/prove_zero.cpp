@@ -4,14 +4,16 @@
 
 #include "prove/strategies.h"
 
-// A polynomial that is not 0 and of degree d in x stays not 0 at one of any d + 1 values of x. So
-// variable after variable gets the first of 0, 1, 2, ... that leaves it not 0.
+// A polynomial that is not 0 and of degree d in x stays not 0 at one of any d + 1 values of x.
+// So variable after variable gets the first of 0, 1, 2, ... that leaves it not 0.
 
 namespace seam::prove {
 
 using exact::Polynomial;
 
-certificate::Proof prove_by_computation() { return certificate::Computation{}; }
+certificate::Proof prove_by_computation() {
+  return certificate::Computation{};
+}
 
 certificate::Proof prove_zero(Workshop& workshop, const certificate::Zero& zero) {
   const auto found = workshop.variables(zero.formula);

@@ -5,8 +5,8 @@
 
 #include "exact/contract.h"
 
-// With W = sum l_i w_i and X_j = sum l_i x_ij the point is X / W, and W > 0. So W^degree f(X / W)
-// has the sign of f, and is homogeneous in l.
+// With W = sum l_i w_i and X_j = sum l_i x_ij the point is X / W, and W > 0. So W^degree f(X /
+// W) has the sign of f, and is homogeneous in l.
 
 namespace seam::prove {
 

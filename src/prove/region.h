@@ -25,19 +25,20 @@ using Factors = std::vector<Factor>;
 Factor make_factor(Workshop&, const certificate::Simplex&);
 std::vector<std::string> variables(const Factors&);
 
-/// Whether a point of the simplex with exactly these barycentric coordinates positive is left out: all
-/// at infinity, or on an open facet.
+/// Whether a point of the simplex with exactly these barycentric coordinates positive is left
+/// out: all at infinity, or on an open facet.
 bool is_outside(const Factor&, Corners support);
 
-/// A polynomial in the variables of the factors over their product: homogenised with the weights, in
-/// barycentric coordinates. In a ring over the tower of the polynomial.
+/// A polynomial in the variables of the factors over their product: homogenised with the
+/// weights, in barycentric coordinates. In a ring over the tower of the polynomial.
 struct Barycentric {
   exact::Polynomial polynomial;
   std::shared_ptr<const bernstein::Shape> shape;
 };
 Barycentric in_barycentric(const Factors&, const exact::Polynomial&);
 
-/// The point of a factor with these barycentric coordinates, not all at infinity: one value a variable.
+/// The point of a factor with these barycentric coordinates, not all at infinity: one value a
+/// variable.
 std::vector<exact::Polynomial> point(const Factor&, const std::vector<exact::Polynomial>& l);
 
 }  // namespace seam::prove

@@ -11,10 +11,10 @@ namespace seam::prove {
 struct Answer {
   enum class Kind { yes, no, neither };
   Kind kind = Kind::neither;
-  certificate::Pieces pieces;     ///< yes
-  Place place;                    ///< no
+  certificate::Pieces pieces;            ///< yes
+  Place place;                           ///< no
   exact::Sign sign = exact::Sign::zero;  ///< no: of f there
-  certificate::Nothing nothing;   ///< neither
+  certificate::Nothing nothing;          ///< neither
 };
 
 Answer decide(Workshop&, Question);

@@ -7,7 +7,23 @@
 namespace seam::prove {
 
 certificate::Proof prove_zero(Workshop&, const certificate::Zero&);
-certificate::Proof prove_sign(Workshop&, const certificate::Sign&);
+
+/// Remembers what it decided: many patches of a surface share one polynomial.
+class SignProver {
+ public:
+  explicit SignProver(Workshop& workshop) : workshop_(&workshop) {}
+  certificate::Proof prove(const certificate::Sign&);
+
+ private:
+  struct Settled {
+    certificate::Sign sign;
+    exact::Polynomial f;
+    certificate::Proof proof;
+  };
+  Workshop* workshop_;
+  std::vector<Settled> settled_;
+};
+
 certificate::Proof prove_solutions(Workshop&, const certificate::Solutions&);
 
 /// A finite count: the checker does it.

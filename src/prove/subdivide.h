@@ -44,8 +44,9 @@ struct Piece {
   double lowest = 0;
 };
 
-/// Cuts the domain into pieces, the worst first, until all are plain, or a corner of one refutes, or a
-/// limit is reached. Places given beforehand, where f is expected to touch 0, are made corners.
+/// Cuts the domain into pieces, the worst first, until all are plain, or a corner of one
+/// refutes, or a limit is reached. Places given beforehand, where f is expected to touch 0, are
+/// made corners.
 class Subdivision {
  public:
   Subdivision(Workshop&, const Question&, std::vector<Place> touches);
@@ -54,7 +55,7 @@ class Subdivision {
   /// Goes on until `pieces` have been looked at since the beginning.
   Outcome run(long pieces);
 
-  certificate::Subdivision steps() const;         ///< once proved
+  certificate::Subdivision steps() const;                   ///< once proved
   const Place& refutation() const { return *refutation_; }  ///< once refuted
   std::vector<const Piece*> worst(int count) const;         ///< of those still open
   long looked_at() const { return looked_at_; }
@@ -91,10 +92,13 @@ class Subdivision {
   std::vector<Place> touches_;
   std::vector<bool> relevant_;  ///< of each factor: some form depends on it
   std::vector<Node> tree_;
-  std::vector<Piece> open_;     ///< a heap
+  std::vector<Piece> open_;  ///< a heap
   std::optional<Place> refutation_;
   long looked_at_ = 0;
 };
+
+/// All choices of one corner a factor.
+std::vector<std::vector<int>> corner_choices(const Piece&);
 
 /// Whether the relation holds for a number of this sign.
 bool holds(certificate::Relation, exact::Sign);

@@ -11,7 +11,8 @@
 #include "exact/recognise.h"
 #include "exact/roots.h"
 
-// Only search: whatever is returned has been evaluated exactly, and where nothing is found nothing is claimed.
+// Only search: whatever is returned has been evaluated exactly, and where nothing is found
+// nothing is claimed.
 
 namespace seam::prove {
 
@@ -67,10 +68,12 @@ class Search {
       for (const CornerPtr& corner : piece.corners[k]) {
         if ((corner->support & ~face[k]) != 0) continue;
         ++count;
-        for (std::size_t i = 0; i < corner->at.size(); ++i) start[offsets_[k] + i] += corner->at[i];
+        for (std::size_t i = 0; i < corner->at.size(); ++i)
+          start[offsets_[k] + i] += corner->at[i];
       }
       if (count == 0) return std::nullopt;
-      for (std::size_t i = 0; i < factors_[k].corners.size(); ++i) start[offsets_[k] + i] /= count;
+      for (std::size_t i = 0; i < factors_[k].corners.size(); ++i)
+        start[offsets_[k] + i] /= count;
     }
     directions_.clear();
     free_.clear();
@@ -101,7 +104,8 @@ class Search {
     int factor, from, to;
   };
 
-  // The place with these values of the free coordinates, the others in a factor being 0 but for one.
+  // The place with these values of the free coordinates, the others in a factor being 0 but for
+  // one.
   Place place(const std::vector<double>& at, const std::vector<Polynomial>& values) const {
     Place result;
     const RingPtr numbers = workshop_.numbers();
@@ -110,12 +114,14 @@ class Search {
       // A factor without freedom is at the corner where the search was kept.
       const auto first = at.begin() + offsets_[k];
       const auto corner = std::max_element(first, first + factors_[k].corners.size()) - first;
-      if (std::ranges::none_of(free_, [&](const Free& f) { return f.factor == static_cast<int>(k); }))
+      if (std::ranges::none_of(free_,
+                               [&](const Free& f) { return f.factor == static_cast<int>(k); }))
         result.back()[corner] = numbers->constant(1);
     }
     for (std::size_t a = 0; a < free_.size(); ++a) {
       auto& l = result[free_[a].factor];
-      if (a == 0 || free_[a - 1].factor != free_[a].factor) l[free_[a].from] = numbers->constant(1);
+      if (a == 0 || free_[a - 1].factor != free_[a].factor)
+        l[free_[a].from] = numbers->constant(1);
       l[free_[a].from] = l[free_[a].from] - values[a];
       l[free_[a].to] = values[a];
     }
@@ -156,8 +162,7 @@ class Search {
     along[offsets_[free_[0].factor] + free_[0].from] = line->constant(1) - line->variable(0);
     along[offsets_[free_[0].factor] + free_[0].to] = line->variable(0);
     const RingPtr ring = workshop_.ring(f_.polynomial.ring().variables());
-    const auto f =
-        exact::univariate(ring->embed(f_.polynomial).substitute(line, along), 0);
+    const auto f = exact::univariate(ring->embed(f_.polynomial).substitute(line, along), 0);
     if (exact::degree(f) < 2) return std::nullopt;
     const auto multiple = exact::gcd(f, exact::derivative(f));
     if (exact::degree(multiple) < 1) return std::nullopt;
@@ -172,7 +177,8 @@ class Search {
     return std::nullopt;
   }
 
-  // The location to many digits, by Newton's method with exact gradients; then numbers over the tower.
+  // The location to many digits, by Newton's method with exact gradients; then numbers over the
+  // tower.
   std::optional<Touch> as_numbers(const std::vector<double>& at) const {
     constexpr long bits = 300;
     std::vector<std::string> names;
@@ -239,8 +245,8 @@ class Search {
 
 }  // namespace
 
-std::vector<Touch> find_touches(Workshop& workshop, const Factors& factors, const Barycentric& f,
-                                const std::vector<const Piece*>& pieces) {
+std::vector<Touch> find_touches(Workshop& workshop, const Factors& factors,
+                                const Barycentric& f, const std::vector<const Piece*>& pieces) {
   Search search(workshop, factors, f);
   std::vector<Touch> result;
   for (const Face& face : faces(factors))

@@ -5,9 +5,9 @@
 
 #include "exact/contract.h"
 
-// The tower is a field because every generator in it is irreducible over those before: for those of the
-// statement that is expected, and whoever breaks it gets evidence that is not accepted; for those added here
-// `irreducible_factor` makes it so.
+// The tower is a field because every generator in it is irreducible over those before: for
+// those of the statement that is expected, and whoever breaks it gets evidence that is not
+// accepted; for those added here `irreducible_factor` makes it so.
 
 namespace seam::prove {
 
@@ -85,7 +85,8 @@ Polynomial Workshop::expand(Term term, const std::vector<std::string>& variables
         break;
       case Node::Kind::symbol: {
         const auto symbol = ring->symbol(node.text);
-        if (!symbol) throw Unfit("'" + node.text + "' is neither a number nor a bound variable");
+        if (!symbol)
+          throw Unfit("'" + node.text + "' is neither a number nor a bound variable");
         value = *symbol;
         break;
       }
@@ -107,7 +108,7 @@ Polynomial Workshop::expand(Term term, const std::vector<std::string>& variables
 Polynomial Workshop::adjoin(const exact::Univariate& squarefree,
                             const exact::RootInterval& where) {
   const exact::Univariate f = exact::irreducible_factor(squarefree, where);
-  if (exact::degree(f) == 1) return -f[0];
+  if (exact::degree(f) == 1) return numbers()->embed(-f[0]);
   const auto bracket = exact::bracket(f, where);
   std::string name;
   for (int i = 1; name.empty() || generators_.contains(name); ++i)
@@ -160,8 +161,8 @@ Term Workshop::write(const Polynomial& polynomial) {
       const auto multiply = [&](const std::string& symbol, int exponent) {
         if (exponent == 0) return;
         const Term base = add({Node::Kind::symbol, symbol, {}, 0});
-        factors.push_back(
-            exponent == 1 ? base : add({Node::Kind::power, "", {base}, exponent}));
+        factors.push_back(exponent == 1 ? base
+                                        : add({Node::Kind::power, "", {base}, exponent}));
       };
       std::size_t rest = index;
       for (const exact::Tower* step : steps) {

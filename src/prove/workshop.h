@@ -19,9 +19,10 @@ struct Unfit : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A statement being worked on: its numbers as a tower, its terms as polynomials, and the evidence as
-/// it is written. Numbers that a proof needs beyond those of the statement become generators of the
-/// evidence, so the tower may grow; rings made before stay valid, over the tower of their time.
+/// A statement being worked on: its numbers as a tower, its terms as polynomials, and the
+/// evidence as it is written. Numbers that a proof needs beyond those of the statement become
+/// generators of the evidence, so the tower may grow; rings made before stay valid, over the
+/// tower of their time.
 class Workshop {
  public:
   Workshop(const certificate::Statement&, certificate::Evidence&, const Budget&);
@@ -41,7 +42,8 @@ class Workshop {
   exact::Polynomial expand(certificate::Term, const std::vector<std::string>& variables);
   exact::Polynomial number(certificate::Term term) { return expand(term, {}); }
 
-  /// The root as a number over the present tower, which grows by it if need be. The polynomial is squarefree.
+  /// The root as a number over the present tower, which grows by it if need be. The polynomial
+  /// is squarefree.
   exact::Polynomial adjoin(const exact::Univariate& squarefree, const exact::RootInterval&);
 
   /// Terms of the evidence.

@@ -8,7 +8,8 @@
 
 namespace seam::symbolic {
 
-/// What formulas are, expanded, in one ring; a shared node is expanded once. Keeps the formulas alive.
+/// What formulas are, expanded, in one ring; a shared node is expanded once. Keeps the formulas
+/// alive.
 class Expansion {
  public:
   explicit Expansion(exact::RingPtr ring) : ring_(std::move(ring)) {}
@@ -23,7 +24,8 @@ class Expansion {
   std::unordered_map<const void*, std::pair<Formula, exact::Polynomial>> done_;
 };
 
-/// The formula of a polynomial: sum of coefficient * powers of symbols, variables and generators.
+/// The formula of a polynomial: sum of coefficient * powers of symbols, variables and
+/// generators.
 Formula formula(const exact::Polynomial&);
 
 }  // namespace seam::symbolic

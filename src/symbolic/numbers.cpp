@@ -2,16 +2,15 @@
 #include "symbolic/numbers.h"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include "exact/contract.h"
 #include "exact/roots.h"
 #include "symbolic/expand.h"
 
-// A root is looked for in three places: among the rationals (perfect powers are taken out of the radicand's
-// rational content), in the field so far (a linear factor), and, where its irreducible
-// factor is of higher degree, in the field extended by it.
+// A root is looked for in three places: among the rationals (perfect powers are taken out of
+// the radicand's rational content), in the field so far (a linear factor), and, where its
+// irreducible factor is of higher degree, in the field extended by it.
 
 namespace seam::symbolic {
 
@@ -26,7 +25,11 @@ struct Numbers::Tower {
   exact::RingPtr ring = exact::Ring::make(nullptr, {});
   Expansion expansion{ring};
   std::vector<Generator> generators;
-  std::map<std::string, Polynomial> roots;  ///< by radicand and exponent, in the ring of their time
+  struct Known {
+    int n;
+    Polynomial radicand, root;  ///< in the rings of their times
+  };
+  std::vector<Known> roots;
 
   Polynomial number(const Formula& f) { return expansion(f); }
   Polynomial root_of(const Univariate& squarefree, RootInterval where);
@@ -44,7 +47,8 @@ std::string roughly(const Polynomial& number) {
   return text;
 }
 
-// The largest t found with t^n a divisor; all prime factors below the bound are found, and a power that is left.
+// The largest t found with t^n a divisor; all prime factors below the bound are found, and a
+// power that is left.
 Integer power_part(Integer x, int n) {
   constexpr long bound = 100'000;
   Integer result = 1;
@@ -67,7 +71,8 @@ Integer pow(const Integer& base, int exponent) {
 }
 
 bool is_binomial(const Univariate& f) {
-  return std::all_of(f.begin() + 1, f.end() - 1, [](const Polynomial& c) { return c.is_zero(); });
+  return std::all_of(f.begin() + 1, f.end() - 1,
+                     [](const Polynomial& c) { return c.is_zero(); });
 }
 
 Integer common_denominator(const Univariate& f) {
@@ -119,29 +124,30 @@ Polynomial Numbers::Tower::root_of(const Univariate& squarefree, RootInterval wh
   return *ring->symbol(name);
 }
 
-// radicand = (a / b) e > 0 with e primitive: its root is t / b times the root of (a b^(n-1) / t^n) e.
+// radicand = (a / b) e > 0 with e primitive: its root is t / b times the root of (a b^(n-1) /
+// t^n) e.
 Polynomial Numbers::Tower::power_root(const Polynomial& radicand, int n) {
   const auto [terms, denominator] = radicand.numerators();
   Integer content = 0;
   for (const Integer& c : terms.begin()->second) content = gcd(content, c);
   const Integer whole = content * pow(denominator, n - 1);
   const Integer outside = power_part(whole, n);
-  const Polynomial inside =
-      Rational(whole / pow(outside, n) * denominator, content) * radicand;
-  Rational factor(outside, denominator);
+  Rational factor(outside, denominator),
+      primitive(whole / pow(outside, n) * denominator, content);
   factor.canonicalize();
+  primitive.canonicalize();
+  const Polynomial inside = primitive * radicand;
 
-  const std::string key = std::to_string(n) + " " + text(formula(inside));
-  auto found = roots.find(key);
-  if (found == roots.end()) {
-    Univariate f(n + 1, ring->constant(0));
-    f[0] = -inside;
-    f[n] = ring->constant(1);
-    const Rational bound = exact::enclosure(inside, 4).high + 1;
-    const Polynomial root = inside == ring->constant(1) ? inside : root_of(f, {0, bound});
-    found = roots.emplace(key, root).first;
-  }
-  return factor * ring->embed(found->second);
+  for (const Known& known : roots)
+    if (known.n == n && ring->embed(known.radicand) == inside)
+      return factor * ring->embed(known.root);
+  Univariate f(n + 1, ring->constant(0));
+  f[0] = -inside;
+  f[n] = ring->constant(1);
+  const Rational bound = exact::enclosure(inside, 4).high + 1;
+  const Polynomial root = inside == ring->constant(1) ? inside : root_of(f, {0, bound});
+  roots.push_back({n, inside, root});
+  return factor * ring->embed(root);
 }
 
 Numbers::Numbers() : tower_(std::make_unique<Tower>()) {}
@@ -164,23 +170,18 @@ Formula Numbers::nth_root(const Formula& radicand, int n) {
   return Formula::known(value, std::move(facts));
 }
 
-Formula Numbers::root(const Formula& polynomial, const std::string& unknown, const Rational& low,
-                      const Rational& high) {
+Formula Numbers::root(const Formula& polynomial, const std::string& unknown,
+                      const Rational& low, const Rational& high) {
   const std::string where = "[" + low.get_str() + ", " + high.get_str() + "]";
   Expansion expansion(exact::Ring::make(tower_->ring->tower(), {unknown}));
-  const Univariate over_both = exact::univariate(expansion(polynomial), 0);
-  if (over_both.empty()) throw NumberError("every number is a root of 0");
+  const Univariate coefficients = exact::univariate(expansion(polynomial), 0);
+  if (coefficients.empty()) throw NumberError("every number is a root of 0");
   Univariate f;
-  for (const Polynomial& c : over_both) {
-    const auto [terms, denominator] = c.numerators();
-    f.push_back(terms.empty() ? tower_->ring->constant(0)
-                              : tower_->ring->number(terms.begin()->second, denominator));
-  }
+  for (const Polynomial& c : coefficients) f.push_back(tower_->ring->embed(c));
   f = exact::squarefree(f);
   const auto roots = exact::real_roots(f, low, high);
   if (roots.empty()) throw NumberError("no root in " + where);
-  if (roots.size() > 1)
-    throw NumberError(std::to_string(roots.size()) + " roots in " + where);
+  if (roots.size() > 1) throw NumberError(std::to_string(roots.size()) + " roots in " + where);
   const Formula value = formula(tower_->root_of(f, roots.front()));
   return Formula::known(value, {{subst(polynomial, {{unknown, value}}), Fact::Relation::zero},
                                 {value - Formula(low), Fact::Relation::nonnegative},
@@ -194,14 +195,17 @@ Formula Numbers::inverse(const Formula& x) {
   return Formula::known(value, {{x * value - Formula(1), Fact::Relation::zero}});
 }
 
-Sign Numbers::sign(const Formula& number) const { return exact::sign(tower_->number(number)); }
+Sign Numbers::sign(const Formula& number) const {
+  return exact::sign(tower_->number(number));
+}
 
 bool Numbers::equal(const Formula& a, const Formula& b) const {
   return tower_->number(a) == tower_->number(b);
 }
 
 bool Numbers::equal(const Point& a, const Point& b) const {
-  return std::ranges::equal(a, b, [&](const Formula& x, const Formula& y) { return equal(x, y); });
+  return std::ranges::equal(a, b,
+                            [&](const Formula& x, const Formula& y) { return equal(x, y); });
 }
 
 std::optional<Rational> Numbers::rational(const Formula& number) const {
@@ -226,7 +230,8 @@ std::pair<Rational, Rational> Numbers::enclosure(const Formula& number,
   }
 }
 
-// Halves are rounded away from 0. Only a rational number can be an exact half, and it is enclosed by itself.
+// Halves are rounded away from 0. Only a rational number can be an exact half, and it is
+// enclosed by itself.
 std::string Numbers::decimal(const Formula& number, int digits) const {
   exact::require(digits >= 0, "decimal: a negative number of digits");
   const Polynomial x = tower_->number(number);
@@ -254,8 +259,12 @@ std::string Numbers::decimal(const Formula& number, int digits) const {
   return (negative && result != 0 ? "-" : "") + text;
 }
 
-const std::vector<Numbers::Generator>& Numbers::generators() const { return tower_->generators; }
+const std::vector<Numbers::Generator>& Numbers::generators() const {
+  return tower_->generators;
+}
 
-std::shared_ptr<const exact::Tower> Numbers::tower() const { return tower_->ring->tower(); }
+std::shared_ptr<const exact::Tower> Numbers::tower() const {
+  return tower_->ring->tower();
+}
 
 }  // namespace seam::symbolic

@@ -50,7 +50,8 @@ std::string render(const Diagnostic& diagnostic) {
 
   const std::string_view line = line_at(source, begin);
   const std::size_t line_begin = static_cast<std::size_t>(line.data() - source.bytes.data());
-  const std::size_t in_line = begin < line_begin ? 0 : std::min(begin - line_begin, line.size());
+  const std::size_t in_line =
+      begin < line_begin ? 0 : std::min(begin - line_begin, line.size());
   const std::size_t length = std::max(diagnostic.where.end, begin) - begin;
   const Window left = last(line.substr(0, in_line), before);
   const Window right = first(line.substr(in_line), after);
@@ -62,7 +63,8 @@ std::string render(const Diagnostic& diagnostic) {
   out += "  " + number + " | " + left.text + right.text + "\n";
   out += "  " + margin + " | " + std::string(left.width, ' ') + "^" +
          std::string(marked.width > 1 ? marked.width - 1 : 0, '~') + "\n";
-  if (!diagnostic.hint.empty()) out += "  " + margin + " = " + printable(diagnostic.hint) + "\n";
+  if (!diagnostic.hint.empty())
+    out += "  " + margin + " = " + printable(diagnostic.hint) + "\n";
   return out;
 }
 

@@ -7,7 +7,8 @@ namespace seam::text {
 namespace {
 
 std::size_t line_begin(std::string_view bytes, std::size_t offset) {
-  const std::size_t newline = offset == 0 ? std::string_view::npos : bytes.rfind('\n', offset - 1);
+  const std::size_t newline =
+      offset == 0 ? std::string_view::npos : bytes.rfind('\n', offset - 1);
   return newline == std::string_view::npos ? 0 : newline + 1;
 }
 

@@ -42,9 +42,10 @@ std::optional<std::size_t> invalid_utf8(std::string_view bytes) {
 }
 
 bool invisible(char32_t c) {
-  const bool control = (c < 0x20 && c != '\t' && c != '\n' && c != '\r') || (c >= 0x7F && c < 0xA0);
-  const bool reorders = c == 0x061C || c == 0x200E || c == 0x200F || (c >= 0x202A && c <= 0x202E) ||
-                        (c >= 0x2066 && c <= 0x2069);
+  const bool control =
+      (c < 0x20 && c != '\t' && c != '\n' && c != '\r') || (c >= 0x7F && c < 0xA0);
+  const bool reorders = c == 0x061C || c == 0x200E || c == 0x200F ||
+                        (c >= 0x202A && c <= 0x202E) || (c >= 0x2066 && c <= 0x2069);
   return control || reorders;
 }
 
@@ -61,7 +62,8 @@ std::string printable(std::string_view bytes) {
     const std::size_t length = point.length == 0 ? 1 : point.length;
     if (point.value == '\t')
       out += ' ';
-    else if (point.length == 0 || invisible(point.value) || point.value == '\n' || point.value == '\r')
+    else if (point.length == 0 || invisible(point.value) || point.value == '\n' ||
+             point.value == '\r')
       out += "\uFFFD";
     else
       out.append(bytes.substr(at, length));

@@ -9,12 +9,12 @@ namespace seam::claims {
 namespace {
 
 constexpr std::array names = {
-    "number",      "name",        "string",      "negate",      "binary",      "call",
-    "named",       "index",       "tuple",       "list",        "matrix",      "each",
-    "range",       "limit",       "infinity",    "plane",       "patch",       "indexed",
-    "control",     "weighted",    "from",        "read",        "relation",    "truncated",
-    "for_all",     "for_some",    "conjunction", "disjunction", "implication", "equivalence",
-    "negation",    "solve",       "binding",     "half_open"};
+    "number",   "name",     "string",      "negate",      "binary",      "call",
+    "named",    "index",    "tuple",       "list",        "matrix",      "each",
+    "range",    "limit",    "infinity",    "plane",       "patch",       "indexed",
+    "control",  "weighted", "from",        "read",        "relation",    "truncated",
+    "for_all",  "for_some", "conjunction", "disjunction", "implication", "equivalence",
+    "negation", "solve",    "binding",     "half_open"};
 
 bool same(const std::vector<Expression>& a, const std::vector<Expression>& b) {
   return std::ranges::equal(a, b, [](auto& x, auto& y) { return claims::same(x, y); });
@@ -40,7 +40,8 @@ bool same(const Claim& a, const Claim& b) {
 
 std::string tree(const Expression& e) {
   const bool leaf = e.children.empty();
-  if (leaf && (e.kind == Expression::Kind::number || e.kind == Expression::Kind::name)) return e.text;
+  if (leaf && (e.kind == Expression::Kind::number || e.kind == Expression::Kind::name))
+    return e.text;
   std::string text = std::string("(") + names.at(static_cast<std::size_t>(e.kind));
   if (!e.text.empty()) text += " " + e.text;
   for (const Expression& child : e.children) text += " " + tree(child);
@@ -63,12 +64,12 @@ std::string messages(const Parsed& parsed) {
 }
 
 bool same(const Item& a, const Item& b) {
-  return std::tie(a.kind, a.comments, a.name, a.parameters, a.names, a.by, a.source, a.year, a.type,
-                  a.option, a.labels) == std::tie(b.kind, b.comments, b.name, b.parameters, b.names,
-                                                  b.by, b.source, b.year, b.type, b.option,
-                                                  b.labels) &&
-         same(a.expressions, b.expressions) && same(a.where, b.where) && same(a.claim, b.claim) &&
-         same(a.columns, b.columns) &&
+  return std::tie(a.kind, a.comments, a.name, a.parameters, a.names, a.by, a.source, a.year,
+                  a.type, a.option, a.labels) == std::tie(b.kind, b.comments, b.name,
+                                                          b.parameters, b.names, b.by, b.source,
+                                                          b.year, b.type, b.option, b.labels) &&
+         same(a.expressions, b.expressions) && same(a.where, b.where) &&
+         same(a.claim, b.claim) && same(a.columns, b.columns) &&
          std::ranges::equal(a.rows, b.rows, [](auto& x, auto& y) { return same(x, y); });
 }
 

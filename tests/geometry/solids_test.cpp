@@ -132,6 +132,13 @@ TEST(Group, of_a_flat_square_is_that_of_a_flat_prism) {
   EXPECT_EQ(symmetries(square, numbers).size(), 16);
 }
 
+TEST(Group, does_not_mind_a_vertex_named_twice) {
+  Numbers numbers;
+  Mesh twice = cube(numbers);
+  twice.vertices.push_back(twice.vertices[3]);
+  EXPECT_EQ(rotations(twice, numbers).size(), 24);
+}
+
 TEST(Group, of_points_on_a_line_is_refused) {
   Numbers numbers;
   EXPECT_THROW(rotations({{{1, 1, 1}, {-1, -1, -1}}, {}}, numbers), symbolic::NumberError);

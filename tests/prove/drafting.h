@@ -25,8 +25,12 @@ class Draft {
  public:
   certificate::Statement statement;
 
-  T number(const std::string& text) { return add({certificate::Node::Kind::constant, text, {}, 0}); }
-  T symbol(const std::string& name) { return add({certificate::Node::Kind::symbol, name, {}, 0}); }
+  T number(const std::string& text) {
+    return add({certificate::Node::Kind::constant, text, {}, 0});
+  }
+  T symbol(const std::string& name) {
+    return add({certificate::Node::Kind::symbol, name, {}, 0});
+  }
   T add(certificate::Node node) {
     statement.nodes.push_back(std::move(node));
     return {this, static_cast<certificate::Term>(statement.nodes.size() - 1)};
@@ -91,12 +95,24 @@ inline T operator+(T a, T b) {
 inline T operator*(T a, T b) {
   return a.draft->add({certificate::Node::Kind::product, "", {a.term, b.term}, 0});
 }
-inline T operator+(T a, int b) { return a + a.draft->number(std::to_string(b)); }
-inline T operator*(int a, T b) { return b.draft->number(std::to_string(a)) * b; }
-inline T operator-(T a) { return -1 * a; }
-inline T operator-(T a, T b) { return a + -b; }
-inline T operator-(T a, int b) { return a + -b; }
-inline T operator-(int a, T b) { return -b + a; }
+inline T operator+(T a, int b) {
+  return a + a.draft->number(std::to_string(b));
+}
+inline T operator*(int a, T b) {
+  return b.draft->number(std::to_string(a)) * b;
+}
+inline T operator-(T a) {
+  return -1 * a;
+}
+inline T operator-(T a, T b) {
+  return a + -b;
+}
+inline T operator-(T a, int b) {
+  return a + -b;
+}
+inline T operator-(int a, T b) {
+  return -b + a;
+}
 inline T operator^(T a, int n) {
   return a.draft->add({certificate::Node::Kind::power, "", {a.term}, n});
 }

@@ -121,6 +121,12 @@ TEST_F(SignProofs, a_square_is_split_off) {
             Verdict::refuted);
 }
 
+TEST_F(SignProofs, a_square_is_split_off_where_no_subdivision_helps) {
+  EXPECT_EQ(on_square((u - v) ^ 2, Relation::nonnegative), Verdict::proven);
+  EXPECT_EQ(on_square((u - v) ^ 2, Relation::positive), Verdict::refuted);
+  EXPECT_EQ(on_square((u - v) ^ 3, Relation::nonnegative), Verdict::refuted);
+}
+
 TEST_F(SignProofs, an_open_facet_may_carry_a_zero) {
   EXPECT_EQ(on_segment(u, Relation::positive), Verdict::refuted);
   EXPECT_EQ(on_segment(u, Relation::positive, true), Verdict::proven);
@@ -156,8 +162,7 @@ TEST_F(SignProofs, zero_on_a_domain_is_zero_everywhere) {
 TEST_F(SignProofs, a_condition_cuts_the_domain) {
   const T f = u - v;
   const auto where = [&](T condition, Relation relation, Relation claimed) {
-    return d.verdict(
-        Sign{f.term, claimed, {{d.triangle()}, {{condition.term, relation}}}});
+    return d.verdict(Sign{f.term, claimed, {{d.triangle()}, {{condition.term, relation}}}});
   };
   EXPECT_EQ(where(u - 2 * v - d.number("1/10"), Relation::nonnegative, Relation::positive),
             Verdict::proven);

@@ -58,12 +58,22 @@ TEST_F(SolutionProofs, an_irrational_root) {
 TEST_F(SolutionProofs, roots_within_intervals) {
   const T f = (x ^ 3) - 3 * x + 1;  // -1.88, 0.347, 1.53
   const auto domain = [&] { return d.segment("x", "-2", "2"); };
-  const std::vector<Solution> all = {{-1, "-19/10", "-18/10"}, {-1, "3/10", "4/10"}, {-1, "3/2", "8/5"}};
+  const std::vector<Solution> all = {
+      {-1, "-19/10", "-18/10"}, {-1, "3/10", "4/10"}, {-1, "3/2", "8/5"}};
   EXPECT_EQ(solve({f}, domain(), all), Verdict::proven);
   EXPECT_EQ(solve({f}, domain(), {all[0], all[2]}), Verdict::refuted);
   EXPECT_EQ(solve({f}, d.from_zero("x"), {all[1], all[2]}), Verdict::proven);
   EXPECT_EQ(solve({f}, domain(), {all[0], {-1, "1/10", "2/10"}, all[1], all[2]}),
             Verdict::undecided);
+}
+
+TEST_F(SolutionProofs, the_whole_line_takes_two_trees) {
+  const Solutions stated{
+      {((x - 1) * ((x ^ 2) + 1)).term}, "x", {}, {{"x"}, {}, {}}, {exactly("1")}};
+  const auto evidence = d.proof(stated);
+  const auto* roots = std::get_if<certificate::Roots>(&evidence.proofs[0]);
+  ASSERT_TRUE(roots);
+  EXPECT_EQ(roots->outside.size(), 2U);
 }
 
 TEST_F(SolutionProofs, an_equation_that_always_holds_has_more_solutions) {

@@ -140,7 +140,8 @@ TEST(Numbers, the_roots_of_one_polynomial_are_told_apart) {
   const Formula a = numbers.root(f, "x", 0, 1), b = numbers.root(f, "x", 1, 2);
   EXPECT_EQ(numbers.generators().size(), 1U);
   EXPECT_EQ(numbers.sign(b - a), Sign::positive);
-  const Formula g = power(x, 3) - Formula(4) * x + Formula(1);  // three real roots, other fields
+  const Formula g =
+      power(x, 3) - Formula(4) * x + Formula(1);  // three real roots, other fields
   const Formula c = numbers.root(g, "x", 0, 1), d = numbers.root(g, "x", 1, 2);
   ASSERT_EQ(numbers.generators().size(), 3U);
   EXPECT_NE(numbers.generators()[1].name, numbers.generators()[2].name);

@@ -6,8 +6,11 @@
 namespace seam::text {
 namespace {
 
-Diagnostic at(const std::string& bytes, std::size_t begin, std::size_t end, std::string hint = {}) {
-  return {{std::make_shared<Source>(Source{"a.seam", bytes}), begin, end}, "wrong", std::move(hint)};
+Diagnostic at(const std::string& bytes, std::size_t begin, std::size_t end,
+              std::string hint = {}) {
+  return {{std::make_shared<Source>(Source{"a.seam", bytes}), begin, end},
+          "wrong",
+          std::move(hint)};
 }
 
 TEST(Position, counts_lines_and_code_points_from_one) {
@@ -25,7 +28,9 @@ TEST(Position, of_an_offset_behind_the_end_is_the_end) {
 }
 
 TEST(Position, does_not_count_a_byte_order_mark) {
-  const Source source{"", "\xEF\xBB\xBF" "ab"};
+  const Source source{"",
+                      "\xEF\xBB\xBF"
+                      "ab"};
   EXPECT_EQ(position(source, 4).column, 2);
   EXPECT_EQ(position(source, 0).column, 1);
 }
@@ -54,7 +59,8 @@ TEST(Render, marks_by_code_points_and_shows_a_tab_as_one_column) {
 }
 
 TEST(Render, shows_a_window_of_a_long_line) {
-  const std::string text = render(at(std::string(5000, 'a') + "!" + std::string(5000, 'b'), 5000, 5001));
+  const std::string text =
+      render(at(std::string(5000, 'a') + "!" + std::string(5000, 'b'), 5000, 5001));
   EXPECT_EQ(text, "a.seam:1:5001: error: wrong\n  1 | …" + std::string(60, 'a') + "!" +
                       std::string(39, 'b') + "…\n    | " + std::string(61, ' ') + "^\n");
 }

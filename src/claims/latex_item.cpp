@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "claims/latex.h"
+#include "claims/typeset.h"
+
+namespace seam::claims {
+namespace {
+
+std::string names(const std::vector<std::string>& all) {
+  std::string tex;
+  for (const std::string& name : all) tex += (tex.empty() ? "" : ", ") + latex_name(name);
+  return tex;
+}
+
+std::string head(const Item& item) {
+  if (item.parameters.empty()) return latex_name(item.name);
+  return latex_name(item.name, true) + "(" + names(item.parameters) + ")";
+}
+
+std::string member(const std::string& who, const Expression& set) {
+  return who + " \\in " + shallow(typeset(set, Level::range, true), set);
+}
+
+std::string param(const Item& item) {
+  std::string tex = names(item.names);
+  if (item.type == "integer")
+    tex += " \\in \\mathbb{Z}";
+  else if (!item.type.empty())
+    tex += " \\in \\mathbb{R}^{" + item.type.substr(item.type.find(' ') + 1) + "}";
+  else if (item.expressions.empty())
+    tex += " \\in \\mathbb{R}";
+  if (!item.expressions.empty())
+    tex =
+        member(item.type.empty() ? tex : tex + ",\\ " + names(item.names), item.expressions[0]);
+  return item.where ? tex + "\\text{ where }" + latex(*item.where) : tex;
+}
+
+}  // namespace
+
+std::string latex(const Item& item) {
+  switch (item.kind) {
+    case Item::Kind::let:
+      return head(item) + " = " + latex(item.expressions[0]);
+    case Item::Kind::define:
+      return head(item) + " :\\iff " + latex(item.expressions[0]);
+    case Item::Kind::param:
+      return param(item);
+    case Item::Kind::root:
+      return member(latex_name(item.name), item.expressions[1]) + ",\\ " +
+             latex(item.expressions[0]) + " = 0";
+    default:
+      return {};
+  }
+}
+
+}  // namespace seam::claims
