@@ -92,6 +92,8 @@ void Builder::make(Kind kind, std::string text, std::size_t children, std::size_
   node.tree.span = span(begin, std::max(begin, token_end));
   node.tree.children.reserve(children);
   for (auto it = nodes.end() - children; it != nodes.end(); ++it) {
+    if (it->tree.kind == Kind::half_open && kind != Kind::binding)
+      fail("a half-open interval is a set and no value", it->tree.span);
     node.height = std::max(node.height, it->height + 1);
     node.tree.children.push_back(std::move(it->tree));
   }

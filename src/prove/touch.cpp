@@ -88,7 +88,8 @@ class Search {
     }
     if (free_.empty()) return std::nullopt;
     const auto at = bernstein::critical_point(sketch_, nullptr, start, directions_);
-    if (at.empty() || std::ranges::min(at) < -1e-9) return std::nullopt;
+    const auto is_share = [](double x) { return std::isfinite(x) && x > -1e-9 && x < 1 + 1e-9; };
+    if (at.empty() || !std::ranges::all_of(at, is_share)) return std::nullopt;
     std::vector<long> key;
     for (const double x : at) key.push_back(std::lround(x * 1e9));
     if (!seen_.insert(key).second) return std::nullopt;
@@ -212,6 +213,7 @@ class Search {
       if (step.empty()) return std::nullopt;
       double size = 0;
       for (std::size_t a = 0; a < t.size(); ++a) {
+        if (!std::isfinite(step[a])) return std::nullopt;
         size = std::max(size, std::abs(step[a]));
         Rational moved = t[a] - Rational(step[a]);
         Integer kept;  // 2^bits * moved, rounded

@@ -65,12 +65,20 @@ class Writer {
     return first.is_constant() && first.value() < 0;
   }
 
+  // Of a negative term: its leading constant with the other sign.
+  static Formula opposite(const Formula& term) {
+    if (term.is_constant()) return Formula(-term.value());
+    std::vector<Formula> factors = term.operands();
+    factors[0] = Formula(-factors[0].value());
+    return product(std::move(factors));
+  }
+
   void write_sum(const Formula& f) {
     bool first = true;
     for (const Formula& term : f.operands()) {
       const bool negative = !first && is_negative(term);
       if (!first) text_ += negative ? " - " : " + ";
-      write(negative ? -term : term, Around::sum);
+      write(negative ? opposite(term) : term, Around::sum);
       first = false;
     }
   }

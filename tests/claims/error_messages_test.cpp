@@ -87,6 +87,13 @@ TEST(ErrorMessages, where_parentheses_are_empty) {
             "    |          ^\n");
 }
 
+TEST(ErrorMessages, where_a_half_open_interval_is_used_as_a_value) {
+  EXPECT_EQ(messages("param k in (0, 1] + 1\n"),
+            "a.seam:1:12: error: a half-open interval is a set and no value\n"
+            "  1 | param k in (0, 1] + 1\n"
+            "    |            ^~~~~~\n");
+}
+
 TEST(ErrorMessages, where_a_half_open_interval_stands_elsewhere) {
   EXPECT_EQ(messages("let a = [0, 1)\n"),
             "a.seam:1:14: error: expected ',', ';' or ']' after '1'\n"
