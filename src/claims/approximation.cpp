@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "claims/stating.h"
 
-// E ~ d: E lies within half a unit of the last printed digit of d, both ends included (at an exact
-// tie either neighbour is a correct rounding). Truncated: the digits of |E| were cut off, so |d| <= |E| < |d| + unit.
+// E ~ d: E lies within half a unit of the last printed digit of d, both ends included (at an
+// exact tie either neighbour is a correct rounding). Truncated: the digits of |E| were cut off,
+// so |d| <= |E| < |d| + unit.
 
 namespace seam::claims {
 namespace {
@@ -34,20 +35,23 @@ std::optional<Printed> printed_decimal(const Expression& e) {
 std::pair<Rational, Rational> printed_range(const Expression& printed) {
   const auto decimal = printed_decimal(printed);
   if (!decimal)
-    fail(printed, "expected a printed decimal after '~'", "an exact value is compared with '='");
+    fail(printed, "expected a printed decimal after '~'",
+         "an exact value is compared with '='");
   const Rational half = decimal->unit / 2;
   return {decimal->value - half, decimal->value + half};
 }
 
-Proposition Stating::approximation(const Expression& at, const Value& left, const Expression& printed,
-                                   bool truncated, const Context& context, bool positive) {
+Proposition Stating::approximation(const Expression& at, const Value& left,
+                                   const Expression& printed, bool truncated,
+                                   const Context& context, bool positive) {
   if (printed.kind == Kind::tuple || printed.kind == Kind::list) {
     const auto items = as_items(evaluator, left, at);
     if (items.size() != printed.children.size())
       fail(printed, "expected " + std::to_string(items.size()) + " printed values");
     std::vector<Proposition> parts;
     for (std::size_t i = 0; i < items.size(); ++i)
-      parts.push_back(approximation(at, items[i], printed.children[i], truncated, context, true));
+      parts.push_back(
+          approximation(at, items[i], printed.children[i], truncated, context, true));
     Proposition all = symbolic::all(std::move(parts));
     if (positive) return all;
     if (!context.empty()) throw Unsupported("'not' of several printed values under 'for all'");
@@ -55,7 +59,8 @@ Proposition Stating::approximation(const Expression& at, const Value& left, cons
   }
   const auto decimal = printed_decimal(printed);
   if (!decimal)
-    fail(printed, "expected a printed decimal after '~'", "an exact value is compared with '='");
+    fail(printed, "expected a printed decimal after '~'",
+         "an exact value is compared with '='");
   const Rational half = decimal->unit / 2;
   Rational low = decimal->value - half, high = decimal->value + half;
   bool open_low = false, open_high = false;
@@ -66,8 +71,10 @@ Proposition Stating::approximation(const Expression& at, const Value& left, cons
     open_low = decimal->negative || zero;
     open_high = !decimal->negative;
   }
-  Proposition above = compare(at, left, open_low ? ">" : ">=", {Scalar(Formula(low))}, context, true);
-  Proposition below = compare(at, left, open_high ? "<" : "<=", {Scalar(Formula(high))}, context, true);
+  Proposition above =
+      compare(at, left, open_low ? ">" : ">=", {Scalar(Formula(low))}, context, true);
+  Proposition below =
+      compare(at, left, open_high ? "<" : "<=", {Scalar(Formula(high))}, context, true);
   above.about = "not below " + low.get_str();
   below.about = "not above " + high.get_str();
   Proposition both = symbolic::all({std::move(above), std::move(below)});

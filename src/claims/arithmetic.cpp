@@ -91,14 +91,14 @@ std::optional<Value> sum_of(Evaluator& evaluator, const Expression& at, const Va
     return Value{plus ? *a.as<Scalar>() + *b.as<Scalar>() : *a.as<Scalar>() - *b.as<Scalar>()};
   if (a.as<Vector>() && b.as<Vector>())
     return Value{entrywise(at, *a.as<Vector>(), *b.as<Vector>(), plus)};
-  if (const auto *m = a.as<MatrixValue>(), *n = b.as<MatrixValue>(); m && n) {
+  if (const auto* m = a.as<MatrixValue>(), *n = b.as<MatrixValue>(); m && n) {
     if (m->rows.size() != n->rows.size()) fail(at, "these matrices differ in size");
     MatrixValue result;
     for (std::size_t i = 0; i < m->rows.size(); ++i)
       result.rows.push_back(entrywise(at, m->rows[i], n->rows[i], plus));
     return Value{result};
   }
-  if (const auto *f = a.as<Field>(), *g = b.as<Field>(); f && g && f->shape == g->shape)
+  if (const auto* f = a.as<Field>(), *g = b.as<Field>(); f && g && f->shape == g->shape)
     return Value{Field{f->shape, entrywise(at, f->components, g->components, plus)}};
   if (const auto* f = a.as<Field>(); f && (b.as<Scalar>() || b.as<Vector>())) {
     const Vector other = b.as<Scalar>() ? Vector{*b.as<Scalar>()} : *b.as<Vector>();
@@ -161,7 +161,7 @@ std::optional<Value> product_of(Evaluator& evaluator, const Expression& at, cons
     const Matrix matrix = as_matrix(evaluator, a, at);
     return moved(evaluator, b, [&](const Point& point) { return matrix * point; });
   }
-  if (const auto *f = a.as<Field>(), *g = b.as<Field>();
+  if (const auto* f = a.as<Field>(), *g = b.as<Field>();
       f && g && f->shape == g->shape && f->components.size() == 1)
     return Value{Field{f->shape, scaled(f->components[0], g->components)}};
   return std::nullopt;
@@ -171,10 +171,11 @@ std::optional<Value> quotient_of(Evaluator& evaluator, const Expression& at, con
                                  const Value& b) {
   if (b.as<Scalar>()) {
     const Scalar inverse = divide(Scalar(1), *b.as<Scalar>(), evaluator.numbers);
-    if (a.as<Scalar>()) return Value{divide(*a.as<Scalar>(), *b.as<Scalar>(), evaluator.numbers)};
+    if (a.as<Scalar>())
+      return Value{divide(*a.as<Scalar>(), *b.as<Scalar>(), evaluator.numbers)};
     return product_of(evaluator, at, {inverse}, a);
   }
-  if (const auto *f = a.as<Field>(), *g = b.as<Field>();
+  if (const auto* f = a.as<Field>(), *g = b.as<Field>();
       f && g && f->shape == g->shape && g->components.size() == 1) {
     const Scalar inverse = divide(Scalar(1), g->components[0], evaluator.numbers);
     return Value{Field{f->shape, scaled(inverse, f->components)}};
@@ -188,7 +189,8 @@ std::optional<Value> power_of(Evaluator& evaluator, const Expression& at, const 
   if (!exponent) fail(at, "an exponent must be rational");
   if (exponent->get_den() == 2 && a.as<Scalar>()) {
     const Value root{Scalar(evaluator.numbers.sqrt(as_number(evaluator, a, at)))};
-    return power_of(evaluator, at, root, {Scalar(Formula(exact::Rational(exponent->get_num())))});
+    return power_of(evaluator, at, root,
+                    {Scalar(Formula(exact::Rational(exponent->get_num())))});
   }
   if (exponent->get_den() != 1) fail(at, "an exponent must be an integer or a half");
   if (abs(exponent->get_num()) > 1000) fail(at, "an exponent of more than 1000 is too large");
@@ -218,7 +220,8 @@ Value arithmetic(Evaluator& evaluator, const Expression& at, const std::string& 
   else
     result = power_of(evaluator, at, a, b);
   if (!result)
-    fail(at, "'" + operation + "' does not combine " + description(a) + " and " + description(b));
+    fail(at,
+         "'" + operation + "' does not combine " + description(a) + " and " + description(b));
   return *result;
 }
 

@@ -23,8 +23,8 @@ const std::map<std::string, Solid>& solids() {
 
 }  // namespace
 
-std::optional<Value> builtin(Evaluator& evaluator, const std::string& name, const Expression& at,
-                             const Scope& scope) {
+std::optional<Value> builtin(Evaluator& evaluator, const std::string& name,
+                             const Expression& at, const Scope& scope) {
   if (name == "simplex" && at.children.size() == 2) {
     const long n = evaluator.integer(at.children[1], scope);
     if (n < 1 || n > 8) fail(at, "a simplex has a dimension from 1 to 8 here");
@@ -44,8 +44,9 @@ std::optional<Value> builtin(Evaluator& evaluator, const std::string& name, cons
     const int given = static_cast<int>(call.count());
     if (given < least || (most >= 0 && given > most)) {
       const std::string wanted = least == most ? std::to_string(least)
-                                 : most < 0    ? "at least " + std::to_string(least)
-                                               : std::to_string(least) + " to " + std::to_string(most);
+                                 : most < 0
+                                     ? "at least " + std::to_string(least)
+                                     : std::to_string(least) + " to " + std::to_string(most);
       fail(at, "'" + name + "' takes " + wanted + (wanted == "1" ? " argument" : " arguments") +
                    ", found " + std::to_string(given));
     }

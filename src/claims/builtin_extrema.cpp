@@ -4,9 +4,9 @@
 #include "claims/builtin.h"
 #include "claims/stating.h"
 
-// An extremum over a continuous domain stays unresolved: a comparison with it is a statement for all (some)
-// points. Where its value itself is wanted, the best of some candidate points is taken, and
-// "nowhere larger" becomes a side statement that has to be proven.
+// An extremum over a continuous domain stays unresolved: a comparison with it is a statement
+// for all (some) points. Where its value itself is wanted, the best of some candidate points is
+// taken, and "nowhere larger" becomes a side statement that has to be proven.
 
 namespace seam::claims {
 namespace {
@@ -21,14 +21,16 @@ symbolic::Domain domain_of(const Field& field) {
 }
 
 Extremum::Part part_of(const Field& field, const Expression& at) {
-  if (field.components.size() != 1) fail(at, "an extremum of a vector: take norm2 or a coordinate");
+  if (field.components.size() != 1)
+    fail(at, "an extremum of a vector: take norm2 or a coordinate");
   return {field.components[0], domain_of(field)};
 }
 
 bool is_compact(const symbolic::Domain& domain) {
   return domain.where.empty() && std::ranges::all_of(domain.factors, [](const Simplex& factor) {
            return std::ranges::none_of(factor.open, [](bool open) { return open; }) &&
-                  std::ranges::none_of(factor.corners, [](const auto& c) { return c[0].is(0); });
+                  std::ranges::none_of(factor.corners,
+                                       [](const auto& c) { return c[0].is(0); });
          });
 }
 
@@ -48,7 +50,8 @@ Value over_bindings(const Call& call, bool maximum) {
       symbols.push_back(here.back());
       inner.values[name.text] = {Scalar(Formula::symbol(here.back()))};
     }
-    part.domain.factors.push_back(call.evaluator.continuous_set(binding.children[1], here, call.scope));
+    part.domain.factors.push_back(
+        call.evaluator.continuous_set(binding.children[1], here, call.scope));
   }
   if (!is_compact(part.domain)) fail(each, "an extremum needs a closed, bounded domain");
   part.value = call.evaluator.scalar(each.children[0], inner);
@@ -77,10 +80,12 @@ Value extremum(const Call& call, bool maximum) {
     for (std::size_t i = 0; i < call.count(); ++i) values.push_back(call.value(i));
   } else {
     const Value value = call.value(0);
-    if (const auto* field = value.as<Field>()) return {Extremum{maximum, {part_of(*field, call[0])}}};
+    if (const auto* field = value.as<Field>())
+      return {Extremum{maximum, {part_of(*field, call[0])}}};
     if (const auto* surface = value.as<SurfaceField>()) {
       Extremum result{maximum, {}};
-      for (const Field& field : surface->fields) result.parts.push_back(part_of(field, call[0]));
+      for (const Field& field : surface->fields)
+        result.parts.push_back(part_of(field, call[0]));
       return {result};
     }
     values = as_items(call.evaluator, value, call[0]);
@@ -91,18 +96,24 @@ Value extremum(const Call& call, bool maximum) {
     Extremum result{maximum, {}};
     for (const Value& value : values) {
       const auto* part = value.as<Extremum>();
-      if (!part || part->maximum != maximum) throw Unsupported("an extremum of extrema of both kinds");
+      if (!part || part->maximum != maximum)
+        throw Unsupported("an extremum of extrema of both kinds");
       result.parts.insert(result.parts.end(), part->parts.begin(), part->parts.end());
     }
     return {result};
   }
   std::vector<Formula> numbers;
-  for (const Value& value : values) numbers.push_back(as_number(call.evaluator, value, call[0]));
+  for (const Value& value : values)
+    numbers.push_back(as_number(call.evaluator, value, call[0]));
   return {Scalar(greatest(call.evaluator, numbers, maximum))};
 }
 
-Value max(const Call& call) { return extremum(call, true); }
-Value min(const Call& call) { return extremum(call, false); }
+Value max(const Call& call) {
+  return extremum(call, true);
+}
+Value min(const Call& call) {
+  return extremum(call, false);
+}
 
 // Barycentric candidates: corners, centres of faces of every dimension.
 std::vector<std::map<std::string, Formula>> candidates(const symbolic::Domain& domain) {
@@ -145,7 +156,8 @@ std::vector<Attained> best_candidates(Evaluator& evaluator, const Extremum& extr
       std::map<std::string, Scalar> map;
       for (const auto& [name, coordinate] : point) map.emplace(name, Scalar(coordinate));
       const Scalar here = substitute(part.value, map, evaluator.numbers);
-      if (!is_number(here)) throw Unsupported("the value of an extremum that depends on a parameter");
+      if (!is_number(here))
+        throw Unsupported("the value of an extremum that depends on a parameter");
       const Formula value = evaluator.numbers.normal_form(here.numerator);
       if (!best.empty()) {
         const Formula gain = extremum.maximum ? value - best[0].value : best[0].value - value;
@@ -166,8 +178,9 @@ Formula distance2(const std::map<std::string, Formula>& point) {
   return total;
 }
 
-// argmax(E for (u,v) in triangle): the points, each (u, v). That the value is attained there is computed; that it is
-// attained nowhere else is stated as a strict inequality where no point of the list is.
+// argmax(E for (u,v) in triangle): the points, each (u, v). That the value is attained there is
+// computed; that it is attained nowhere else is stated as a strict inequality where no point of
+// the list is.
 Value arguments_of_extremum(const Call& call, bool maximum) {
   const Value value = extremum(call, maximum);
   const auto* found = value.as<Extremum>();
@@ -177,24 +190,30 @@ Value arguments_of_extremum(const Call& call, bool maximum) {
   const std::vector<Attained> best = best_candidates(call.evaluator, *found);
   Stating stating(call.evaluator);
   Context context{part.domain.factors, {}, {}};
-  const auto bound =
-      stating.compared(part.value, maximum ? "<" : ">", Scalar(best[0].value), context, call.at);
+  const auto bound = stating.compared(part.value, maximum ? "<" : ">", Scalar(best[0].value),
+                                      context, call.at);
   List points;
   for (const Attained& place : best) {
     context.where.push_back({distance2(place.point), Relation::positive});
     Vector point;
     for (const Simplex& factor : part.domain.factors)
-      for (const std::string& variable : factor.variables) point.emplace_back(place.point.at(variable));
+      for (const std::string& variable : factor.variables)
+        point.emplace_back(place.point.at(variable));
     points.items.push_back(point.size() == 1 ? Value{point[0]} : Value{point});
   }
-  stating.guards.push_back(stating.holds(bound.formula, bound.relation, context, call.at,
-                                         maximum ? "less everywhere else" : "more everywhere else"));
+  stating.guards.push_back(
+      stating.holds(bound.formula, bound.relation, context, call.at,
+                    maximum ? "less everywhere else" : "more everywhere else"));
   for (auto& guard : stating.guards) call.evaluator.sides.push_back(std::move(guard));
   return {points};
 }
 
-Value argmax(const Call& call) { return arguments_of_extremum(call, true); }
-Value argmin(const Call& call) { return arguments_of_extremum(call, false); }
+Value argmax(const Call& call) {
+  return arguments_of_extremum(call, true);
+}
+Value argmin(const Call& call) {
+  return arguments_of_extremum(call, false);
+}
 
 }  // namespace
 
@@ -205,17 +224,19 @@ Value Evaluator::resolved(const Value& value, const Expression& at) {
   Stating stating(*this);
   for (const Extremum::Part& part : extremum->parts) {
     const Context context{part.domain.factors, {}, {}};
-    const auto bound =
-        stating.compared(part.value, extremum->maximum ? "<=" : ">=", Scalar(best), context, at);
-    stating.guards.push_back(stating.holds(bound.formula, bound.relation, context, at,
-                                           extremum->maximum ? "nowhere larger" : "nowhere smaller"));
+    const auto bound = stating.compared(
+        part.value, extremum->maximum ? "<=" : ">=", Scalar(best), context, at);
+    stating.guards.push_back(
+        stating.holds(bound.formula, bound.relation, context, at,
+                      extremum->maximum ? "nowhere larger" : "nowhere smaller"));
   }
   for (auto& guard : stating.guards) sides.push_back(std::move(guard));
   return {Scalar(best)};
 }
 
 const Builtins& extremum_builtins() {
-  static const Builtins table = {{"max", {1, -1, max}}, {"min", {1, -1, min}},
+  static const Builtins table = {{"max", {1, -1, max}},
+                                 {"min", {1, -1, min}},
                                  {"argmax", {1, 1, argmax}},
                                  {"argmin", {1, 1, argmin}}};
   return table;

@@ -5,9 +5,9 @@
 #include "claims/builtin.h"
 #include "symbolic/coefficients.h"
 
-// What is read off a polynomial that was multiplied out (its degree, its coefficients in the power or
-// the Bernstein basis) rests on the identity "polynomial = sum of coefficient times basis
-// function", which is stated beside it.
+// What is read off a polynomial that was multiplied out (its degree, its coefficients in the
+// power or the Bernstein basis) rests on the identity "polynomial = sum of coefficient times
+// basis function", which is stated beside it.
 
 namespace seam::claims {
 namespace {
@@ -15,10 +15,12 @@ namespace {
 using symbolic::Coefficients;
 using symbolic::Point;
 
-// A variable named by an argument, as `u` in diff(E, u): the symbol bound around the call, or a new one.
+// A variable named by an argument, as `u` in diff(E, u): the symbol bound around the call, or a
+// new one.
 class Variable {
  public:
-  Variable(const Call& call, const Expression& at) : evaluator_(call.evaluator), scope_{&call.scope, {}} {
+  Variable(const Call& call, const Expression& at)
+      : evaluator_(call.evaluator), scope_{&call.scope, {}} {
     if (at.kind != Expression::Kind::name) fail(at, "expected the name of a variable");
     for (const Scope* s = &call.scope; s; s = s->outer) {
       const auto found = s->values.find(at.text);
@@ -47,7 +49,8 @@ class Variable {
  private:
   void adopt(const Value& value, const Expression& at) {
     const auto* scalar = value.as<Scalar>();
-    if (!scalar || scalar->numerator.kind() != Formula::Kind::symbol || !scalar->is_polynomial())
+    if (!scalar || scalar->numerator.kind() != Formula::Kind::symbol ||
+        !scalar->is_polynomial())
       fail(at, "expected a variable, found " + description(value));
     symbol_ = scalar->numerator.name();
   }
@@ -85,7 +88,8 @@ Scalar derivative(const Scalar& s, const std::string& symbol) {
   return result;
 }
 
-Value mapped(const Call& call, const Value& value, const std::function<Scalar(const Scalar&)>& f) {
+Value mapped(const Call& call, const Value& value,
+             const std::function<Scalar(const Scalar&)>& f) {
   if (!value.as<Scalar>() && !value.as<Vector>() && !value.as<Field>())
     fail(call[0], "expected a function, found " + description(value));
   return each_scalar(value, f);
@@ -97,7 +101,8 @@ Value diff(const Call& call) {
   if (order < 0 || order > 100) fail(call[2], "expected an order from 0 to 100");
   Value value = call.evaluator.evaluate(call[0], variable.scope());
   for (long k = 0; k < order; ++k)
-    value = mapped(call, value, [&](const Scalar& s) { return derivative(s, variable.symbol()); });
+    value =
+        mapped(call, value, [&](const Scalar& s) { return derivative(s, variable.symbol()); });
   return value;
 }
 
@@ -113,9 +118,8 @@ Value subst(const Call& call) {
     inner.values[call[i].text] = {Scalar(Formula::symbol(variables.back()->symbol()))};
     map[variables.back()->symbol()] = call.evaluator.scalar(call[i].children[0], call.scope);
   }
-  return mapped(call, call.evaluator.evaluate(call[0], inner), [&](const Scalar& s) {
-    return substitute(s, map, call.evaluator.numbers);
-  });
+  return mapped(call, call.evaluator.evaluate(call[0], inner),
+                [&](const Scalar& s) { return substitute(s, map, call.evaluator.numbers); });
 }
 
 Value numerator(const Call& call) {
@@ -142,7 +146,8 @@ Formula monomial(const std::vector<std::string>& variables, const std::vector<in
   return result;
 }
 
-Coefficients expanded(const Call& call, const Formula& f, const std::vector<std::string>& variables) {
+Coefficients expanded(const Call& call, const Formula& f,
+                      const std::vector<std::string>& variables) {
   Coefficients coefficients = symbolic::coefficients(f, variables, call.evaluator.numbers);
   Formula rebuilt = 0;
   for (const auto& [exponents, coefficient] : coefficients)
@@ -184,9 +189,11 @@ Value degree(const Call& call) {
       leading = coefficients.at({d});
     }
   }
-  if (!symbolic::is_number(leading)) throw Unsupported("a degree whose leading coefficient holds a variable");
+  if (!symbolic::is_number(leading))
+    throw Unsupported("a degree whose leading coefficient holds a variable");
   if (!leading.is_constant())
-    return {Scalar(Formula::known(Formula(highest), {{leading, symbolic::Fact::Relation::nonzero}}))};
+    return {Scalar(
+        Formula::known(Formula(highest), {{leading, symbolic::Fact::Relation::nonzero}}))};
   return {Scalar(static_cast<long>(highest))};
 }
 
@@ -213,9 +220,11 @@ exact::Rational multinomial(int n, const std::vector<int>& parts) {
   return value;
 }
 
-// The Bernstein coefficients of one polynomial in `variables` on a simplex, at degree n: for each
-// exponent vector (the last entry fills up to n), rows by the second variable, the first one fastest.
-std::vector<Formula> simplex_coefficients(const Coefficients& power_basis, std::size_t dimension, int n) {
+// The Bernstein coefficients of one polynomial in `variables` on a simplex, at degree n: for
+// each exponent vector (the last entry fills up to n), rows by the second variable, the first
+// one fastest.
+std::vector<Formula> simplex_coefficients(const Coefficients& power_basis,
+                                          std::size_t dimension, int n) {
   std::vector<Formula> result;
   std::vector<int> index(dimension, 0);
   const auto coefficient = [&] {
@@ -314,8 +323,9 @@ Value on_region(const Call& call, const Region& region) {
   const int degree = region.square ? 0 : wanted_degree(call, total);
   std::vector<std::vector<Formula>> columns;
   for (const Coefficients& expansion : expansions)
-    columns.push_back(region.square ? square_coefficients(expansion, m, n)
-                                    : simplex_coefficients(expansion, variables.size(), degree));
+    columns.push_back(region.square
+                          ? square_coefficients(expansion, m, n)
+                          : simplex_coefficients(expansion, variables.size(), degree));
   List list;
   for (std::size_t k = 0; k < columns.front().size(); ++k) {
     Vector entry;
@@ -366,13 +376,11 @@ Value bernstein(const Call& call) {
 }  // namespace
 
 const Builtins& function_builtins() {
-  static const Builtins table = {{"diff", {2, 3, diff}},
-                                 {"subst", {2, -1, subst}},
-                                 {"numerator", {1, 1, numerator}},
-                                 {"denominator", {1, 1, denominator}},
-                                 {"degree", {1, 2, degree}},
-                                 {"coefficients", {2, 2, coefficients}},
-                                 {"bernstein", {2, 3, bernstein}}};
+  static const Builtins table = {
+      {"diff", {2, 3, diff}},           {"subst", {2, -1, subst}},
+      {"numerator", {1, 1, numerator}}, {"denominator", {1, 1, denominator}},
+      {"degree", {1, 2, degree}},       {"coefficients", {2, 2, coefficients}},
+      {"bernstein", {2, 3, bernstein}}};
   return table;
 }
 

@@ -18,8 +18,12 @@ Value root_of(const Call& call, int n) {
   return {Scalar(call.evaluator.numbers.nth_root(radicand.numerator, n))};
 }
 
-Value sqrt(const Call& call) { return root_of(call, 2); }
-Value cbrt(const Call& call) { return root_of(call, 3); }
+Value sqrt(const Call& call) {
+  return root_of(call, 2);
+}
+Value cbrt(const Call& call) {
+  return root_of(call, 3);
+}
 Value root_n(const Call& call) {
   const long n = call.integer(1);
   if (n < 2 || n > 60) fail(call[1], "expected a root index from 2 to 60");
@@ -45,7 +49,8 @@ Formula floor_of(const Call& call, const Formula& x) {
   exact::Integer n;
   mpz_fdiv_q(n.get_mpz_t(), high.get_num_mpz_t(), high.get_den_mpz_t());
   const auto at_least = [&](const exact::Integer& bound) {
-    return call.evaluator.numbers.sign(x - Formula(exact::Rational(bound))) != exact::Sign::negative;
+    return call.evaluator.numbers.sign(x - Formula(exact::Rational(bound))) !=
+           exact::Sign::negative;
   };
   if (!at_least(n)) n -= 1;
   const Formula below = x - Formula(exact::Rational(n));
@@ -55,8 +60,12 @@ Formula floor_of(const Call& call, const Formula& x) {
                                                       {above, Fact::Relation::nonzero}});
 }
 
-Value floor(const Call& call) { return {Scalar(floor_of(call, call.number(0)))}; }
-Value ceil(const Call& call) { return {Scalar(-floor_of(call, -call.number(0)))}; }
+Value floor(const Call& call) {
+  return {Scalar(floor_of(call, call.number(0)))};
+}
+Value ceil(const Call& call) {
+  return {Scalar(-floor_of(call, -call.number(0)))};
+}
 
 Value binomial(const Call& call) {
   const long n = call.integer(0), k = call.integer(1);
@@ -84,11 +93,16 @@ Value folded(const Call& call, const char* operation, long start) {
   return result;
 }
 
-Value sum(const Call& call) { return folded(call, "+", 0); }
-Value product(const Call& call) { return folded(call, "*", 1); }
+Value sum(const Call& call) {
+  return folded(call, "+", 0);
+}
+Value product(const Call& call) {
+  return folded(call, "*", 1);
+}
 
 // Entries of nested lists and vectors, in order: what makes two items different.
-void flatten(Evaluator& evaluator, const Value& value, const Expression& at, symbolic::Point& into) {
+void flatten(Evaluator& evaluator, const Value& value, const Expression& at,
+             symbolic::Point& into) {
   if (value.as<Scalar>()) {
     into.push_back(as_formula(evaluator, value, at));
   } else {
@@ -106,7 +120,8 @@ Value count(const Call& call) {
       symbolic::Point entries;
       if (const auto* patch = item.as<geometry::Patch>()) {
         for (const auto& row : patch->rows())
-          for (const auto& point : row) entries.insert(entries.end(), point.begin(), point.end());
+          for (const auto& point : row)
+            entries.insert(entries.end(), point.begin(), point.end());
       } else {
         flatten(call.evaluator, item, call.at, entries);
       }
@@ -114,7 +129,8 @@ Value count(const Call& call) {
     }
     const auto size = distinct.tuples.front().size();
     if (std::ranges::all_of(distinct.tuples, [&](const auto& t) { return t.size() == size; }))
-      call.evaluator.sides.push_back(symbolic::atom(std::move(distinct), "all that are counted differ"));
+      call.evaluator.sides.push_back(
+          symbolic::atom(std::move(distinct), "all that are counted differ"));
   }
   return {Scalar(static_cast<long>(items.size()))};
 }
@@ -142,10 +158,12 @@ Formula greatest(Evaluator& evaluator, const std::vector<Formula>& values, bool 
 
 const Builtins& number_builtins() {
   static const Builtins table = {
-      {"sqrt", {1, 1, sqrt}},         {"cbrt", {1, 1, cbrt}},           {"root_n", {2, 2, root_n}},
-      {"abs", {1, 1, abs}},           {"floor", {1, 1, floor}},         {"ceil", {1, 1, ceil}},
-      {"binomial", {2, 2, binomial}}, {"factorial", {1, 1, factorial}}, {"sum", {1, 1, sum}},
-      {"product", {1, 1, product}},   {"count", {1, 1, count}}};
+      {"sqrt", {1, 1, sqrt}},         {"cbrt", {1, 1, cbrt}},
+      {"root_n", {2, 2, root_n}},     {"abs", {1, 1, abs}},
+      {"floor", {1, 1, floor}},       {"ceil", {1, 1, ceil}},
+      {"binomial", {2, 2, binomial}}, {"factorial", {1, 1, factorial}},
+      {"sum", {1, 1, sum}},           {"product", {1, 1, product}},
+      {"count", {1, 1, count}}};
   return table;
 }
 

@@ -30,7 +30,9 @@ Field field(const Patch& patch, const geometry::Quotient& quotient) {
   return {patch.shape(), {value}};
 }
 
-Patch patch(const Call& call) { return call.get<Patch>(0, "a patch"); }
+Patch patch(const Call& call) {
+  return call.get<Patch>(0, "a patch");
+}
 
 Patch patch_in_space(const Call& call) {
   Patch p = patch(call);
@@ -48,8 +50,12 @@ Value derivative(const Call& call, int i, int j) {
   return {field(p, geometry::derivative(p, i, j, u(), v()))};
 }
 
-Value d1(const Call& call) { return derivative(call, 1, 0); }
-Value d2(const Call& call) { return derivative(call, 0, 1); }
+Value d1(const Call& call) {
+  return derivative(call, 1, 0);
+}
+Value d2(const Call& call) {
+  return derivative(call, 0, 1);
+}
 Value d(const Call& call) {
   const long i = call.integer(1), j = call.count() == 3 ? call.integer(2) : 0;
   if (i < 0 || j < 0 || i > 60 || j > 60) fail(call.at, "expected orders from 0 to 60");
@@ -94,7 +100,9 @@ Value elevate(const Call& call) {
   return {geometry::elevate(patch(call))};
 }
 
-Value swap(const Call& call) { return {geometry::swap(patch(call))}; }
+Value swap(const Call& call) {
+  return {geometry::swap(patch(call))};
+}
 
 Value edge(const Call& call) {
   const Patch p = patch(call);
@@ -111,7 +119,8 @@ Value moved(const Call& call, const std::function<Point(const Point&)>& f) {
     if (point.size() != 3) fail(call[0], "expected points with three coordinates");
     return f(point);
   };
-  if (value.as<Vector>()) return vector_value(checked(as_point(call.evaluator, value, call[0])));
+  if (value.as<Vector>())
+    return vector_value(checked(as_point(call.evaluator, value, call[0])));
   if (const auto* curve = value.as<Curve>()) {
     Curve image;
     for (const Point& point : curve->control) image.control.push_back(checked(point));
@@ -140,14 +149,27 @@ std::pair<Formula, Formula> unit_angle(Numbers& numbers, long n) {
   const auto half = Formula(exact::Rational(1, 2)), quarter = Formula(exact::Rational(1, 4));
   Formula cosine = 0;
   switch (n) {
-    case 1: return {Formula(-1), Formula(0)};
-    case 2: return {Formula(0), Formula(1)};
-    case 3: cosine = half; break;
-    case 4: cosine = half * numbers.sqrt(2); break;
-    case 5: cosine = quarter * (Formula(1) + numbers.sqrt(5)); break;
-    case 6: cosine = half * numbers.sqrt(3); break;
-    case 10: cosine = half * numbers.sqrt(half * (Formula(5) + numbers.sqrt(5))); break;
-    default: throw Unsupported("rotations by multiples of pi/n are covered for n = 1 to 6 and 10");
+    case 1:
+      return {Formula(-1), Formula(0)};
+    case 2:
+      return {Formula(0), Formula(1)};
+    case 3:
+      cosine = half;
+      break;
+    case 4:
+      cosine = half * numbers.sqrt(2);
+      break;
+    case 5:
+      cosine = quarter * (Formula(1) + numbers.sqrt(5));
+      break;
+    case 6:
+      cosine = half * numbers.sqrt(3);
+      break;
+    case 10:
+      cosine = half * numbers.sqrt(half * (Formula(5) + numbers.sqrt(5)));
+      break;
+    default:
+      throw Unsupported("rotations by multiples of pi/n are covered for n = 1 to 6 and 10");
   }
   return {cosine, numbers.sqrt(Formula(1) - cosine * cosine)};
 }
@@ -157,7 +179,8 @@ Value rotate(const Call& call) {
   Scope inner{&call.scope, {}};
   const Formula pi = Formula::symbol("pi~");
   inner.values["pi"] = {Scalar(pi)};
-  const Formula angle = as_formula(call.evaluator, call.evaluator.evaluate(call[2], inner), call[2]);
+  const Formula angle =
+      as_formula(call.evaluator, call.evaluator.evaluate(call[2], inner), call[2]);
   const auto turn = call.evaluator.numbers.rational(symbolic::diff(angle, "pi~"));
   const Formula rest = symbolic::subst(angle, {{"pi~", Formula(0)}});
   if (!turn || call.evaluator.numbers.sign(rest) != exact::Sign::zero)
@@ -175,7 +198,8 @@ Value rotate(const Call& call) {
   }
   const Point axis = as_point(call.evaluator, call.value(1), call[1]);
   if (axis.size() != 3) fail(call[1], "an axis has three coordinates");
-  const geometry::Matrix matrix = geometry::rotation(axis, cosine, sine, call.evaluator.numbers);
+  const geometry::Matrix matrix =
+      geometry::rotation(axis, cosine, sine, call.evaluator.numbers);
   return moved(call, [&](const Point& point) { return geometry::operator*(matrix, point); });
 }
 
@@ -183,9 +207,9 @@ Value rotate(const Call& call) {
 
 const Builtins& patch_builtins() {
   static const Builtins table = {
-      {"D1", {1, 1, d1}},           {"D2", {1, 1, d2}},           {"D", {2, 3, d}},
-      {"normal", {1, 1, normal}},   {"gauss", {1, 1, gauss}},     {"control", {2, 3, control}},
-      {"elevate", {1, 1, elevate}}, {"swap", {1, 1, swap}},       {"edge", {2, 2, edge}},
+      {"D1", {1, 1, d1}},           {"D2", {1, 1, d2}},        {"D", {2, 3, d}},
+      {"normal", {1, 1, normal}},   {"gauss", {1, 1, gauss}},  {"control", {2, 3, control}},
+      {"elevate", {1, 1, elevate}}, {"swap", {1, 1, swap}},    {"edge", {2, 2, edge}},
       {"reflect", {2, 2, reflect}}, {"rotate", {3, 3, rotate}}};
   return table;
 }

@@ -9,7 +9,9 @@ using geometry::Patch;
 using geometry::Surface;
 using symbolic::Point;
 
-Mesh mesh(const Call& call, std::size_t i = 0) { return call.get<Mesh>(i, "a solid"); }
+Mesh mesh(const Call& call, std::size_t i = 0) {
+  return call.get<Mesh>(i, "a solid");
+}
 
 List list_of(const std::vector<Point>& points) {
   List list;
@@ -29,19 +31,24 @@ Value vertices(const Call& call) {
   list.distinct = true;
   return {list};
 }
-Value edges(const Call& call) { return {list_of(geometry::edges(mesh(call)))}; }
-Value faces(const Call& call) { return {list_of(geometry::faces(mesh(call)))}; }
+Value edges(const Call& call) {
+  return {list_of(geometry::edges(mesh(call)))};
+}
+Value faces(const Call& call) {
+  return {list_of(geometry::faces(mesh(call)))};
+}
 
 Value valence(const Call& call) {
   const Point point = as_point(call.evaluator, call.value(1), call[1]);
-  return {Scalar(static_cast<long>(geometry::valence(mesh(call), point, call.evaluator.numbers)))};
+  return {
+      Scalar(static_cast<long>(geometry::valence(mesh(call), point, call.evaluator.numbers)))};
 }
 
 // The mean of the points; of a solid, of its vertices.
 Value centroid(const Call& call) {
   const Value value = call.value(0);
-  const auto points = value.as<Mesh>() ? value.as<Mesh>()->vertices
-                                       : as_points(call.evaluator, value, call[0]);
+  const auto points =
+      value.as<Mesh>() ? value.as<Mesh>()->vertices : as_points(call.evaluator, value, call[0]);
   if (points.empty()) fail(call[0], "no points");
   return vector_value(geometry::centroid(points, call.evaluator.numbers));
 }
@@ -54,11 +61,14 @@ Value midpoint(const Call& call) {
   } else {
     ends = as_points(call.evaluator, call.value(0), call[0]);
   }
-  if (ends.size() != 2 || ends[0].size() != ends[1].size()) fail(call.at, "expected two points");
+  if (ends.size() != 2 || ends[0].size() != ends[1].size())
+    fail(call.at, "expected two points");
   return vector_value(geometry::centroid(ends, call.evaluator.numbers));
 }
 
-Value dual(const Call& call) { return {geometry::dual(mesh(call), call.evaluator.numbers)}; }
+Value dual(const Call& call) {
+  return {geometry::dual(mesh(call), call.evaluator.numbers)};
+}
 
 Value scale(const Call& call) {
   return arithmetic(call.evaluator, call.at, "*", {Scalar(call.number(0))}, call.value(1));
@@ -115,7 +125,9 @@ Value surface(const Call& call) {
   return {geometry::surface(std::move(patches), call.evaluator.numbers)};
 }
 
-Surface glued(const Call& call) { return call.get<Surface>(0, "a surface"); }
+Surface glued(const Call& call) {
+  return call.get<Surface>(0, "a surface");
+}
 
 Value patches(const Call& call) {
   List list;
@@ -129,13 +141,15 @@ Value seams(const Call& call) {
   const Surface s = glued(call);
   List list;
   for (const auto& seam : s.seams)
-    list.items.push_back({List{{{s.patches[seam.patch]}, {s.patches[seam.other_patch]}}, false}});
+    list.items.push_back(
+        {List{{{s.patches[seam.patch]}, {s.patches[seam.other_patch]}}, false}});
   return {list};
 }
 
 Value corners(const Call& call) {
   List list;
-  for (const auto& corner : glued(call).corners) list.items.push_back(vector_value(corner.point));
+  for (const auto& corner : glued(call).corners)
+    list.items.push_back(vector_value(corner.point));
   return {list};
 }
 

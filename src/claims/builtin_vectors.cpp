@@ -35,8 +35,8 @@ Value dot(const Call& call) {
 
 Value cross(const Call& call) {
   const Vector a = pair_checked(call, 0, 3), b = pair_checked(call, 1, 3);
-  return like(call, {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-                     a[0] * b[1] - a[1] * b[0]});
+  return like(
+      call, {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]});
 }
 
 Value norm2(const Call& call) {
@@ -47,7 +47,8 @@ Value norm2(const Call& call) {
 Value norm(const Call& call) {
   const Vector a = call.vector(0);
   const Scalar square = inner(a, a);
-  if (!is_number(square)) throw Unsupported("the length of a variable vector is not covered; norm2 is");
+  if (!is_number(square))
+    throw Unsupported("the length of a variable vector is not covered; norm2 is");
   return {Scalar(call.evaluator.numbers.sqrt(square.numerator))};
 }
 
@@ -83,12 +84,15 @@ Value det(const Call& call) {
   for (const Vector& row : rows)
     if (row.size() != rows.size())
       fail(call.at, "a determinant needs " + std::to_string(rows.size()) + " vectors of " +
-                        std::to_string(rows.size()) + ", found one of " + std::to_string(row.size()));
+                        std::to_string(rows.size()) + ", found one of " +
+                        std::to_string(row.size()));
   if (rows.size() > 6) throw Unsupported("determinants of more than 6 rows are not covered");
   return like(call, {determinant(rows)});
 }
 
-MatrixValue matrix(const Call& call) { return call.get<MatrixValue>(0, "a matrix"); }
+MatrixValue matrix(const Call& call) {
+  return call.get<MatrixValue>(0, "a matrix");
+}
 
 MatrixValue transposed(const MatrixValue& m) {
   MatrixValue result;
@@ -99,13 +103,16 @@ MatrixValue transposed(const MatrixValue& m) {
   return result;
 }
 
-Value transpose(const Call& call) { return {transposed(matrix(call))}; }
+Value transpose(const Call& call) {
+  return {transposed(matrix(call))};
+}
 
 // By cofactors.
 Value inverse(const Call& call) {
   const MatrixValue m = matrix(call);
   const std::size_t n = m.rows.size();
-  if (m.rows[0].size() != n || n > 5) fail(call[0], "expected a square matrix of at most 5 rows");
+  if (m.rows[0].size() != n || n > 5)
+    fail(call[0], "expected a square matrix of at most 5 rows");
   const Scalar d = determinant(m.rows);
   MatrixValue result;
   for (std::size_t i = 0; i < n; ++i) {
@@ -152,11 +159,11 @@ Value columns(const Call& call) {
 }  // namespace
 
 const Builtins& vector_builtins() {
-  static const Builtins table = {
-      {"dot", {2, 2, dot}},         {"cross", {2, 2, cross}},       {"norm2", {1, 1, norm2}},
-      {"norm", {1, 1, norm}},       {"det", {1, 6, det}},           {"transpose", {1, 1, transpose}},
-      {"inverse", {1, 1, inverse}}, {"identity", {1, 1, identity}}, {"rows", {1, 1, rows}},
-      {"columns", {1, 1, columns}}};
+  static const Builtins table = {{"dot", {2, 2, dot}},         {"cross", {2, 2, cross}},
+                                 {"norm2", {1, 1, norm2}},     {"norm", {1, 1, norm}},
+                                 {"det", {1, 6, det}},         {"transpose", {1, 1, transpose}},
+                                 {"inverse", {1, 1, inverse}}, {"identity", {1, 1, identity}},
+                                 {"rows", {1, 1, rows}},       {"columns", {1, 1, columns}}};
   return table;
 }
 

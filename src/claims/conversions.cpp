@@ -11,13 +11,19 @@ std::string counted(std::size_t n, const char* what) {
 }
 
 struct Describe {
-  std::string operator()(const Scalar& s) const { return is_number(s) ? "a number" : "a function"; }
-  std::string operator()(const Vector& v) const { return "a vector of " + std::to_string(v.size()); }
+  std::string operator()(const Scalar& s) const {
+    return is_number(s) ? "a number" : "a function";
+  }
+  std::string operator()(const Vector& v) const {
+    return "a vector of " + std::to_string(v.size());
+  }
   std::string operator()(const MatrixValue& m) const {
     return "a matrix of " + counted(m.rows.size(), "row") + " and " +
            counted(m.rows.front().size(), "column");
   }
-  std::string operator()(const List& l) const { return "a list of " + std::to_string(l.items.size()); }
+  std::string operator()(const List& l) const {
+    return "a list of " + std::to_string(l.items.size());
+  }
   std::string operator()(const geometry::Curve&) const { return "a curve"; }
   std::string operator()(const geometry::Patch& p) const {
     return p.shape() == geometry::Patch::Shape::triangle ? "a triangle patch" : "a quad patch";
@@ -39,7 +45,9 @@ struct Describe {
 
 }  // namespace
 
-std::string description(const Value& value) { return std::visit(Describe{}, value.content); }
+std::string description(const Value& value) {
+  return std::visit(Describe{}, value.content);
+}
 
 void fail(const Expression& at, std::string message, std::string hint) {
   throw Problem({at.span, std::move(message), std::move(hint)});
@@ -47,8 +55,7 @@ void fail(const Expression& at, std::string message, std::string hint) {
 
 Scalar as_scalar(Evaluator& evaluator, const Value& value, const Expression& at) {
   if (const auto* scalar = value.as<Scalar>()) return *scalar;
-  if (value.as<Extremum>())
-    return as_scalar(evaluator, evaluator.resolved(value, at), at);
+  if (value.as<Extremum>()) return as_scalar(evaluator, evaluator.resolved(value, at), at);
   if (const auto* field = value.as<Field>(); field && field->components.size() == 1)
     return field->components.front();
   expected("a number", value, at);
@@ -116,7 +123,8 @@ std::vector<symbolic::Point> as_points(Evaluator& evaluator, const Value& value,
   for (const Value& item : as_items(evaluator, value, at))
     points.push_back(as_point(evaluator, item, at));
   for (const auto& point : points)
-    if (point.size() != points.front().size()) fail(at, "these points are not all of one dimension");
+    if (point.size() != points.front().size())
+      fail(at, "these points are not all of one dimension");
   return points;
 }
 

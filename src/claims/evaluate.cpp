@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-// Ends: a name refers to what is defined above it or bound around it, so evaluation follows a finite
-// order; the number of steps of one file and the depth of calls are bounded besides.
+// Ends: a name refers to what is defined above it or bound around it, so evaluation follows a
+// finite order; the number of steps of one file and the depth of calls are bounded besides.
 
 namespace seam::claims {
 namespace {
@@ -16,7 +16,8 @@ using Kind = Expression::Kind;
 
 const Value* bound(const Scope& scope, const std::string& name) {
   for (const Scope* s = &scope; s; s = s->outer)
-    if (const auto found = s->values.find(name); found != s->values.end()) return &found->second;
+    if (const auto found = s->values.find(name); found != s->values.end())
+      return &found->second;
   return nullptr;
 }
 
@@ -56,9 +57,12 @@ Value Evaluator::evaluate(const Expression& e, const Scope& scope) {
   } level(depth_);
   try {
     switch (e.kind) {
-      case Kind::number: return {Scalar(Formula(decimal(e.text)))};
-      case Kind::name: return name(e, scope);
-      case Kind::negate: return negated(*this, e, evaluate(e.children[0], scope));
+      case Kind::number:
+        return {Scalar(Formula(decimal(e.text)))};
+      case Kind::name:
+        return name(e, scope);
+      case Kind::negate:
+        return negated(*this, e, evaluate(e.children[0], scope));
       case Kind::binary: {
         // A long chain leans to the left: walk it without recursion.
         std::vector<const Expression*> chain;
@@ -75,8 +79,10 @@ Value Evaluator::evaluate(const Expression& e, const Scope& scope) {
         }
         return value;
       }
-      case Kind::call: return call(e, scope);
-      case Kind::index: return index(e, scope);
+      case Kind::call:
+        return call(e, scope);
+      case Kind::index:
+        return index(e, scope);
       case Kind::tuple: {
         Vector entries;
         List items;
@@ -90,7 +96,8 @@ Value Evaluator::evaluate(const Expression& e, const Scope& scope) {
         return {items};
       }
       case Kind::list:
-      case Kind::range: return list(e, scope);
+      case Kind::range:
+        return list(e, scope);
       case Kind::matrix: {
         MatrixValue matrix;
         for (const Expression& row : e.children) {
@@ -99,7 +106,8 @@ Value Evaluator::evaluate(const Expression& e, const Scope& scope) {
             matrix.rows.back().push_back(scalar(entry, scope));
           if (matrix.rows.back().size() != matrix.rows.front().size())
             fail(row, "this row has " + std::to_string(matrix.rows.back().size()) +
-                          " entries, the first has " + std::to_string(matrix.rows.front().size()));
+                          " entries, the first has " +
+                          std::to_string(matrix.rows.front().size()));
         }
         return {matrix};
       }
@@ -109,12 +117,18 @@ Value Evaluator::evaluate(const Expression& e, const Scope& scope) {
       }
       case Kind::patch:
       case Kind::indexed:
-      case Kind::from: return net(e, scope);
-      case Kind::infinity: fail(e, "'infinity' is no number; it may bound an interval");
-      case Kind::string: fail(e, "a text is no value");
-      case Kind::read: throw Unsupported("nets from files are not covered yet");
-      case Kind::limit: throw Unsupported("limits are not covered yet");
-      default: fail(e, "expected a value, found a statement");
+      case Kind::from:
+        return net(e, scope);
+      case Kind::infinity:
+        fail(e, "'infinity' is no number; it may bound an interval");
+      case Kind::string:
+        fail(e, "a text is no value");
+      case Kind::read:
+        throw Unsupported("nets from files are not covered yet");
+      case Kind::limit:
+        throw Unsupported("limits are not covered yet");
+      default:
+        fail(e, "expected a value, found a statement");
     }
   } catch (const symbolic::NumberError& error) {
     fail(e, error.what());
@@ -168,8 +182,9 @@ Value Evaluator::apply(const Value& callee, const Expression& e, const Scope& sc
   const std::size_t given = e.children.size() - 1;
   const auto arguments = [&](std::size_t wanted) {
     if (given != wanted)
-      fail(e, "expected " + std::to_string(wanted) + (wanted == 1 ? " argument" : " arguments") +
-                  ", found " + std::to_string(given));
+      fail(e, "expected " + std::to_string(wanted) +
+                  (wanted == 1 ? " argument" : " arguments") + ", found " +
+                  std::to_string(given));
     std::vector<Value> values;
     for (std::size_t i = 1; i <= given; ++i) values.push_back(evaluate(e.children[i], scope));
     return values;
@@ -178,7 +193,8 @@ Value Evaluator::apply(const Value& callee, const Expression& e, const Scope& sc
     std::map<std::string, Scalar> map;
     const std::vector<Value> values = arguments(wanted);
     map.emplace(geometry::parameter_u, as_scalar(*this, values[0], e.children[1]));
-    if (wanted == 2) map.emplace(geometry::parameter_v, as_scalar(*this, values[1], e.children[2]));
+    if (wanted == 2)
+      map.emplace(geometry::parameter_v, as_scalar(*this, values[1], e.children[2]));
     return map;
   };
   const Formula u = Formula::symbol(geometry::parameter_u);
@@ -196,10 +212,12 @@ Value Evaluator::apply(const Value& callee, const Expression& e, const Scope& sc
     return vector_or_scalar(at_parameters(*this, field->components, coordinates(1)));
   if (const auto* function = callee.as<Function>()) {
     const Item& item = *function->item;
-    if (item.kind == Item::Kind::define) fail(e, "'" + item.name + "' is a statement, no value");
+    if (item.kind == Item::Kind::define)
+      fail(e, "'" + item.name + "' is a statement, no value");
     const std::vector<Value> values = arguments(item.parameters.size());
     Scope inner;
-    for (std::size_t i = 0; i < values.size(); ++i) inner.values[item.parameters[i]] = values[i];
+    for (std::size_t i = 0; i < values.size(); ++i)
+      inner.values[item.parameters[i]] = values[i];
     return evaluate(item.expressions[0], inner);
   }
   fail(e, description(callee) + " takes no arguments",
@@ -212,8 +230,8 @@ Value Evaluator::index(const Expression& e, const Scope& scope) {
     const std::vector<Value> items = as_items(*this, value, e.children[0]);
     const long k = integer(e.children[i], scope);
     if (k < 1 || k > std::ssize(items))
-      fail(e.children[i], "index " + std::to_string(k) + " is outside 1.." +
-                              std::to_string(items.size()));
+      fail(e.children[i],
+           "index " + std::to_string(k) + " is outside 1.." + std::to_string(items.size()));
     value = items[k - 1];
   }
   return value;
@@ -224,7 +242,8 @@ Value Evaluator::list(const Expression& e, const Scope& scope) {
   fail(e, "expected a list");
 }
 
-std::optional<std::vector<Value>> Evaluator::finite_set(const Expression& e, const Scope& scope) {
+std::optional<std::vector<Value>> Evaluator::finite_set(const Expression& e,
+                                                        const Scope& scope) {
   if (e.kind == Kind::range) {
     const long low = integer(e.children[0], scope), high = integer(e.children[1], scope);
     if (high - low > 1'000'000) fail(e, "a range of more than a million");
@@ -249,7 +268,8 @@ std::optional<std::vector<Value>> Evaluator::finite_set(const Expression& e, con
   return as_items(*this, value, e);
 }
 
-std::vector<Value> comprehension(Evaluator& evaluator, const Expression& each, const Scope& scope) {
+std::vector<Value> comprehension(Evaluator& evaluator, const Expression& each,
+                                 const Scope& scope) {
   // One binding after the other; the last one runs fastest.
   std::vector<Value> values;
   const auto run = [&](auto&& self, std::size_t k, const Scope& around) -> void {
@@ -258,8 +278,9 @@ std::vector<Value> comprehension(Evaluator& evaluator, const Expression& each, c
       return;
     }
     const Expression& binding = each.children[k];
-    const auto set = binding.children.size() < 2 ? std::nullopt
-                                                 : evaluator.finite_set(binding.children[1], around);
+    const auto set = binding.children.size() < 2
+                         ? std::nullopt
+                         : evaluator.finite_set(binding.children[1], around);
     if (!set) fail(binding, "expected a finite set here: a list or a range");
     const auto& names = binding.children[0].children;
     for (const Value& item : *set) {
@@ -268,7 +289,8 @@ std::vector<Value> comprehension(Evaluator& evaluator, const Expression& each, c
         inner.values[names[0].text] = item;
       } else {
         const auto parts = as_items(evaluator, item, binding);
-        if (parts.size() != names.size()) fail(binding, "these items do not split into that many names");
+        if (parts.size() != names.size())
+          fail(binding, "these items do not split into that many names");
         for (std::size_t i = 0; i < names.size(); ++i) inner.values[names[i].text] = parts[i];
       }
       self(self, k + 1, inner);

@@ -15,7 +15,8 @@ namespace seam::claims {
 
 /// Something in the file is wrong: unwinds to the item, which is then reported and left out.
 struct Problem : std::runtime_error {
-  explicit Problem(text::Diagnostic d) : std::runtime_error(d.message), diagnostic(std::move(d)) {}
+  explicit Problem(text::Diagnostic d)
+      : std::runtime_error(d.message), diagnostic(std::move(d)) {}
   text::Diagnostic diagnostic;
 };
 [[noreturn]] void fail(const Expression& at, std::string message, std::string hint = {});
@@ -30,13 +31,15 @@ struct Unsupported : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// What a name stands for between two braces of the text: values bound by quantifiers, functions and lists.
+/// What a name stands for between two braces of the text: values bound by quantifiers,
+/// functions and lists.
 struct Scope {
   const Scope* outer = nullptr;
   std::map<std::string, Value> values;
 };
 
-/// A global name. `sides` are statements that its value rests on (what a count or an extremum claims).
+/// A global name. `sides` are statements that its value rests on (what a count or an extremum
+/// claims).
 struct Definition {
   const Item* item = nullptr;
   std::optional<Value> value;  ///< none: a function, or broken
@@ -54,7 +57,8 @@ struct Parameter {
 /// Turns expressions into values. Everything is exact; nothing is decided except about numbers
 /// (through `Numbers`), and what rests on such a decision says so in facts or in `sides`.
 ///
-/// Always ends: a function can only call what is defined before it, and the total number of steps is bounded.
+/// Always ends: a function can only call what is defined before it, and the total number of
+/// steps is bounded.
 class Evaluator {
  public:
   explicit Evaluator(Numbers& tower) : numbers(tower) {}
@@ -65,20 +69,25 @@ class Evaluator {
   Formula number(const Expression&, const Scope&);  ///< a value without variables
   long integer(const Expression&, const Scope&);
 
-  /// A symbol for a variable that is bound at `at`; its name is the written one unless that is in use around it.
+  /// A symbol for a variable that is bound at `at`; its name is the written one unless that is
+  /// in use around it.
   std::string bind(const std::string& name);
   void release(const std::string& symbol) { active_.erase(symbol); }
 
-  /// The value of a number that is wanted itself, where `value` is an extremum: found, and stated in `sides`.
+  /// The value of a number that is wanted itself, where `value` is an extremum: found, and
+  /// stated in `sides`.
   Value resolved(const Value&, const Expression& at);
 
-  /// The values that a finite set (a list, a range) holds, or nothing if the expression is no such set.
+  /// The values that a finite set (a list, a range) holds, or nothing if the expression is no
+  /// such set.
   std::optional<std::vector<Value>> finite_set(const Expression&, const Scope&);
-  /// `[0, 1]`, `(0, 1)`, `[0, 1)`: two ends that are numbers or infinite (a list of two numbers is an interval).
+  /// `[0, 1]`, `(0, 1)`, `[0, 1)`: two ends that are numbers or infinite (a list of two numbers
+  /// is an interval).
   bool is_interval(const Expression&, const Scope&);
-  /// The set that a binding ranges over, for symbols already bound. One simplex a group of names.
-  symbolic::Simplex continuous_set(const Expression& set, const std::vector<std::string>& symbols,
-                                   const Scope&);
+  /// The set that a binding ranges over, for symbols already bound. One simplex a group of
+  /// names.
+  symbolic::Simplex continuous_set(const Expression& set,
+                                   const std::vector<std::string>& symbols, const Scope&);
 
   /// Known names near to a misspelt one.
   std::vector<std::string> names(const Scope&) const;
@@ -110,8 +119,8 @@ Value arithmetic(Evaluator&, const Expression& at, const std::string& operation,
                  const Value&);
 Value negated(Evaluator&, const Expression& at, const Value&);
 
-/// The function of that name that the language brings along, applied to the arguments of the call `at`; nothing
-/// if there is none.
+/// The function of that name that the language brings along, applied to the arguments of the
+/// call `at`; nothing if there is none.
 std::optional<Value> builtin(Evaluator&, const std::string& name, const Expression& at,
                              const Scope&);
 std::vector<std::string> builtin_names();
@@ -120,7 +129,8 @@ std::optional<Value> builtin_word(Evaluator&, const std::string& name);
 
 // Conversions, with an error at `at` where a value is of another kind.
 Scalar as_scalar(Evaluator&, const Value&, const Expression& at);
-Formula as_formula(Evaluator&, const Value&, const Expression& at);  ///< no divisor that holds a variable
+Formula as_formula(Evaluator&, const Value&,
+                   const Expression& at);  ///< no divisor that holds a variable
 Formula as_number(Evaluator&, const Value&, const Expression& at);
 long as_integer(Evaluator&, const Value&, const Expression& at);
 Vector as_vector(Evaluator&, const Value&, const Expression& at);

@@ -32,27 +32,38 @@ class Exporter {
  private:
   Term node(Node::Kind kind, std::string text, std::vector<Term> operands, int exponent) {
     const auto key = std::make_tuple(kind, text, operands, exponent);
-    const auto [place, fresh] = interned_.emplace(key, static_cast<Term>(result_.statement.nodes.size()));
-    if (fresh) result_.statement.nodes.push_back({kind, std::move(text), std::move(operands), exponent});
+    const auto [place, fresh] =
+        interned_.emplace(key, static_cast<Term>(result_.statement.nodes.size()));
+    if (fresh)
+      result_.statement.nodes.push_back({kind, std::move(text), std::move(operands), exponent});
     return place->second;
   }
 
   Term term(const Formula& f) {
-    if (const auto found = terms_.find(f.identity()); found != terms_.end()) return found->second;
+    if (const auto found = terms_.find(f.identity()); found != terms_.end())
+      return found->second;
     kept_.push_back(f);  // so that no other node can take its address
     Term result = 0;
     std::vector<Term> operands;
     if (f.kind() != Formula::Kind::known)
       for (const Formula& operand : f.operands()) operands.push_back(term(operand));
     switch (f.kind()) {
-      case Formula::Kind::constant: result = node(Node::Kind::constant, f.value().get_str(), {}, 0); break;
+      case Formula::Kind::constant:
+        result = node(Node::Kind::constant, f.value().get_str(), {}, 0);
+        break;
       case Formula::Kind::symbol:
         if (symbolic::is_generator(f.name())) used_.insert(f.name());
         result = node(Node::Kind::symbol, f.name(), {}, 0);
         break;
-      case Formula::Kind::sum: result = node(Node::Kind::sum, {}, std::move(operands), 0); break;
-      case Formula::Kind::product: result = node(Node::Kind::product, {}, std::move(operands), 0); break;
-      case Formula::Kind::power: result = node(Node::Kind::power, {}, std::move(operands), f.exponent()); break;
+      case Formula::Kind::sum:
+        result = node(Node::Kind::sum, {}, std::move(operands), 0);
+        break;
+      case Formula::Kind::product:
+        result = node(Node::Kind::product, {}, std::move(operands), 0);
+        break;
+      case Formula::Kind::power:
+        result = node(Node::Kind::power, {}, std::move(operands), f.exponent());
+        break;
       case Formula::Kind::known:
         result = term(f.operands()[0]);
         facts_.insert(facts_.end(), f.facts().begin(), f.facts().end());
@@ -77,11 +88,14 @@ class Exporter {
   certificate::Domain domain(const symbolic::Domain& d) {
     certificate::Domain result;
     for (const auto& factor : d.factors) result.factors.push_back(simplex(factor));
-    for (const auto& constraint : d.where) result.where.push_back({term(constraint.formula), constraint.relation});
+    for (const auto& constraint : d.where)
+      result.where.push_back({term(constraint.formula), constraint.relation});
     return result;
   }
 
-  certificate::Obligation obligation(const symbolic::Zero& z) { return certificate::Zero{term(z.formula)}; }
+  certificate::Obligation obligation(const symbolic::Zero& z) {
+    return certificate::Zero{term(z.formula)};
+  }
   certificate::Obligation obligation(const symbolic::Sign& s) {
     const Term formula = term(s.formula);
     return certificate::Sign{formula, s.relation, domain(s.domain)};
@@ -93,7 +107,8 @@ class Exporter {
     result.for_all = s.for_all;
     result.domain = simplex(s.domain);
     for (const Formula& value : s.exact) result.solutions.push_back({term(value), {}, {}});
-    for (const auto& [low, high] : s.near) result.solutions.push_back({-1, low.get_str(), high.get_str()});
+    for (const auto& [low, high] : s.near)
+      result.solutions.push_back({-1, low.get_str(), high.get_str()});
     return result;
   }
   certificate::Obligation obligation(const certificate::Gluing& g) { return g; }
@@ -121,12 +136,18 @@ class Exporter {
     switch (p.kind) {
       case Proposition::Kind::atom:
         result.kind = Goal::Kind::obligation;
-        result.obligation =
-            std::visit([&](const auto& a) { return add(obligation(a), about, describe(a)); }, p.atom);
+        result.obligation = std::visit(
+            [&](const auto& a) { return add(obligation(a), about, describe(a)); }, p.atom);
         return result;
-      case Proposition::Kind::all: result.kind = Goal::Kind::all; break;
-      case Proposition::Kind::any: result.kind = Goal::Kind::any; break;
-      case Proposition::Kind::negation: result.kind = Goal::Kind::negation; break;
+      case Proposition::Kind::all:
+        result.kind = Goal::Kind::all;
+        break;
+      case Proposition::Kind::any:
+        result.kind = Goal::Kind::any;
+        break;
+      case Proposition::Kind::negation:
+        result.kind = Goal::Kind::negation;
+        break;
     }
     for (const Proposition& part : p.parts) {
       Goal next = goal(part, about);
@@ -146,7 +167,8 @@ class Exporter {
   void guard_all(const Goal& g) {
     if (g.kind == Goal::Kind::obligation) {
       auto& guards = result_.statement.guards;
-      if (std::ranges::find(guards, g.obligation) == guards.end()) guards.push_back(g.obligation);
+      if (std::ranges::find(guards, g.obligation) == guards.end())
+        guards.push_back(g.obligation);
       return;
     }
     for (const Goal& part : g.parts) guard_all(part);
@@ -168,19 +190,22 @@ class Exporter {
   void add_fact(Fact fact) {
     if (fact.relation == Fact::Relation::zero)
       return add_guard(symbolic::atom(symbolic::Zero{fact.formula}, "what a number is"));
-    const auto relation = fact.relation == Fact::Relation::nonzero ? certificate::Relation::nonzero
-                                                                   : certificate::Relation::nonnegative;
+    const auto relation = fact.relation == Fact::Relation::nonzero
+                              ? certificate::Relation::nonzero
+                              : certificate::Relation::nonnegative;
     add_guard(symbolic::atom(symbolic::Sign{fact.formula, relation, {}}, "what a number is"));
   }
 
   void add_generators() {
     const auto& all = numbers_.generators();
     for (auto generator = all.rbegin(); generator != all.rend(); ++generator)
-      if (used_.contains(generator->name)) used_.merge(symbolic::symbols(generator->polynomial));
+      if (used_.contains(generator->name))
+        used_.merge(symbolic::symbols(generator->polynomial));
     for (const auto& generator : all)
       if (used_.contains(generator.name))
         result_.statement.generators.push_back({generator.name, term(generator.polynomial),
-                                                generator.low.get_str(), generator.high.get_str()});
+                                                generator.low.get_str(),
+                                                generator.high.get_str()});
   }
 
   static std::string relation_text(certificate::Relation relation) {
@@ -190,7 +215,9 @@ class Exporter {
 
   static std::string short_text(const Formula& f) { return symbolic::text(f, 200); }
 
-  static std::string describe(const symbolic::Zero& z) { return short_text(z.formula) + " = 0"; }
+  static std::string describe(const symbolic::Zero& z) {
+    return short_text(z.formula) + " = 0";
+  }
   static std::string describe(const symbolic::Sign& s) {
     return short_text(s.formula) + relation_text(s.relation);
   }
@@ -217,6 +244,8 @@ class Exporter {
 
 }  // namespace
 
-Exported exported(const Stated& stated, const Numbers& numbers) { return Exporter(numbers).run(stated); }
+Exported exported(const Stated& stated, const Numbers& numbers) {
+  return Exporter(numbers).run(stated);
+}
 
 }  // namespace seam::claims

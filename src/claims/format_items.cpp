@@ -24,7 +24,7 @@ std::string quoted(const std::string& text) {
 
 std::string joined(const Strings& words) {
   std::string out;
-  for (const std::string& word : words) out += (out.empty() ? "" : ", ") + word;
+  for (const std::string& word : words) out.append(out.empty() ? "" : ", ").append(word);
   return out;
 }
 
@@ -38,7 +38,7 @@ std::string with(const std::string& text, const Expression& e, Level wanted) {
 
 std::string list(std::string text, const std::vector<Expression>& all, Level wanted) {
   for (std::size_t i = 0; i < all.size(); ++i)
-    text = with(text + (i > 0 ? ", " : ""), all[i], wanted);
+    text = with(i > 0 ? text.append(", ") : text, all[i], wanted);
   return text;
 }
 
@@ -71,7 +71,7 @@ std::string root(const Item& item) {
 // On the line of its header if it fits there.
 std::string define(const Item& item) {
   const std::string header = "define " + item.name + parameters(item) + ":";
-  const std::string text = with(header + " ", item.expressions[0], Level::statement);
+  std::string text = with(header + " ", item.expressions[0], Level::statement);
   if (text.find('\n') == std::string::npos) return text;
   return with(header + "\n" + margin, item.expressions[0], Level::statement);
 }
@@ -106,7 +106,7 @@ std::string claim(const Item& item) {
 std::string table(const Item& item) {
   std::string text = "table " + id_title_at(item);
   for (const Expression& binding : item.columns)
-    text = with(text + " for ", binding, Level::statement);
+    text = with(text.append(" for "), binding, Level::statement);
   Strings labels;
   for (const std::string& label : item.labels) labels.push_back(quoted(label));
   text += (labels.empty() ? "" : " labelled " + joined(labels)) + ":";
@@ -118,7 +118,7 @@ std::string table(const Item& item) {
   }
   for (const Item::Row& row : item.rows) {
     const std::string blanks(label_width - width(row.label) + 1, ' ');
-    text += "\n" + margin + quoted(row.label) + blanks;
+    text.append("\n").append(margin).append(quoted(row.label)).append(blanks);
     text = with(text, row.value, Level::range);
     const std::size_t written = width(format(row.value));
     text += std::string(value_width > written ? value_width - written : 0, ' ') + " ~ ";

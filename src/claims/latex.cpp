@@ -102,7 +102,7 @@ Typeset indexed(const Expression& e) {
     tex += (i > 1 ? " \\\\ b_{" : "b_{") + e.children[i].text +
            "} = " + typeset(e.children[i].children[0], Level::equivalence, true);
   return {shape(e.text) + typeset(e.children[0], Level::callable, true) +
-              "\\ \\left\\{\\begin{array}{l} " + tex + " \\end{array}\\right\\}",
+              R"(\ \left\{\begin{array}{l} )" + tex + R"( \end{array}\right\})",
           Level::prefix};
 }
 
@@ -214,7 +214,7 @@ Typeset typeset(const Expression& e, bool row) {
   }
 }
 
-std::string shallow(std::string tex, const Expression& e) {
+std::string shallow(const std::string& tex, const Expression& e) {
   return too_deep(tex) ? latex_text(format(e)) : tex;
 }
 

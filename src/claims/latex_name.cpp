@@ -42,7 +42,7 @@ std::string plain(std::string_view word) {
 }
 
 std::string subscript(std::string_view text) {
-  if (const std::string letter = greek(text); !letter.empty()) return letter;
+  if (std::string letter = greek(text); !letter.empty()) return letter;
   const bool symbol = text.size() < 2 || std::all_of(text.begin() + 1, text.end(), is_digit);
   return symbol ? plain(text) : "\\mathrm{" + plain(text) + "}";
 }

@@ -61,7 +61,7 @@ std::string bindings(const Children& children, std::size_t begin, std::size_t en
 
 Typeset quantified(const Expression& e) {
   const std::string sign = e.kind == Kind::for_all ? "\\forall " : "\\exists ";
-  return {sign + bindings(e.children, 0, e.children.size() - 1) + "\\colon\\ \\allowbreak " +
+  return {sign + bindings(e.children, 0, e.children.size() - 1) + R"(\colon\ \allowbreak )" +
               typeset(e.children.back(), Level::statement),
           Level::statement};
 }
@@ -73,10 +73,10 @@ Typeset solve(const Expression& e) {
     tex += (i > 0 ? ", " : "") + (unknowns[i].kind == Kind::binding
                                       ? typeset_binding(unknowns[i])
                                       : latex_name(unknowns[i].text));
-  tex += "\\colon\\ \\allowbreak " + typeset(e.children[1], Level::equivalence);
+  tex += R"(\colon\ \allowbreak )" + typeset(e.children[1], Level::equivalence);
   for (const Expression& condition : e.children[2].children)
     tex += "\\text{ where }" + typeset(condition, Level::equivalence);
-  tex += "\\ \\allowbreak \\text{gives }";
+  tex += R"(\ \allowbreak \text{gives })";
   const Children& solutions = e.children[3].children;
   if (!e.text.empty()) tex += "\\text{" + e.text + (e.text == "one" ? " solution}" : "}");
   if (e.text == "one" && !solutions.empty()) tex += " \\approx ";

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "claims/item_reader.h"
 #include "claims/state.h"
 #include "claims/stating.h"
 
@@ -12,42 +13,7 @@ namespace {
 
 constexpr int max_digits = 10'000;
 
-class Reader {
- public:
-  Reader(Meaning& meaning, const Opener& open)
-      : meaning_(meaning), open_(open), evaluator_(*meaning.numbers) {}
-
-  void read(const File& file) {
-    for (const Item& item : file.items) {
-      items_.push_back(std::make_unique<Item>(item));
-      read(*items_.back());
-    }
-  }
-
-  void check_using();
-  MeantAsk question(const std::string& id, const Expression&, int digits);
-
- private:
-  void read(const Item& item);
-  void include(const Item& item);
-  void define(const Item& item);
-  void define_param(const Item& item);
-  Value root(const Item& item);
-  void claim(const Item& item);
-  void table(const Item& item);
-  void figure(const Item& item);
-  MeantClaim meant(const Claim& claim, const Scope& scope, text::Span span);
-  Lowered lower(const Expression& statement, const Scope& scope);
-  void report(text::Diagnostic d) { meaning_.errors.push_back(std::move(d)); }
-  void add_id(const std::string& id, const text::Span& where);
-
-  Meaning& meaning_;
-  const Opener& open_;
-  Evaluator evaluator_;
-  std::vector<std::unique_ptr<Item>> items_;  // functions refer to them
-  std::set<std::string> included_;
-  std::map<std::string, text::Span> ids_;
-};
+}  // namespace
 
 void Reader::read(const Item& item) {
   switch (item.kind) {
@@ -57,15 +23,29 @@ void Reader::read(const Item& item) {
       meaning_.source = item.source;
       meaning_.year = item.year;
       return;
-    case Item::Kind::section: meaning_.items.push_back(MeantSection{item.name}); return;
-    case Item::Kind::include: include(item); return;
+    case Item::Kind::section:
+      meaning_.items.push_back(MeantSection{item.name});
+      return;
+    case Item::Kind::include:
+      include(item);
+      return;
     case Item::Kind::let:
     case Item::Kind::define:
-    case Item::Kind::root: define(item); return;
-    case Item::Kind::param: define_param(item); return;
-    case Item::Kind::claim: claim(item); return;
-    case Item::Kind::table: table(item); return;
-    case Item::Kind::figure: figure(item); return;
+    case Item::Kind::root:
+      define(item);
+      return;
+    case Item::Kind::param:
+      define_param(item);
+      return;
+    case Item::Kind::claim:
+      claim(item);
+      return;
+    case Item::Kind::table:
+      table(item);
+      return;
+    case Item::Kind::figure:
+      figure(item);
+      return;
     case Item::Kind::ask: {
       add_id(item.name, item.name_span);
       const int digits = item.option.empty() ? 12 : std::stoi(item.option.substr(0, 6));
@@ -101,7 +81,8 @@ void Reader::define(const Item& item) {
   }
   const std::vector<std::string> taken = builtin_names();
   if (std::ranges::find(taken, item.name) != taken.end()) {
-    report({item.name_span, "'" + item.name + "' is a word of the language", "choose another name"});
+    report({item.name_span, "'" + item.name + "' is a word of the language",
+            "choose another name"});
     evaluator_.globals[item.name].broken = true;
     return;
   }
@@ -110,8 +91,9 @@ void Reader::define(const Item& item) {
   if (!is_function) {
     evaluator_.sides.clear();
     try {
-      definition.value = item.kind == Item::Kind::root ? root(item)
-                                                       : evaluator_.evaluate(item.expressions[0], Scope{});
+      definition.value = item.kind == Item::Kind::root
+                             ? root(item)
+                             : evaluator_.evaluate(item.expressions[0], Scope{});
       definition.sides = evaluator_.sides;
     } catch (const Problem& problem) {
       report(problem.diagnostic);
@@ -130,15 +112,17 @@ Value Reader::root(const Item& item) {
   const symbolic::Simplex interval = evaluator_.continuous_set(range, {"~"}, Scope{});
   const auto low = meaning_.numbers->rational(interval.corners[0][1]);
   const auto high = meaning_.numbers->rational(interval.corners[1][1]);
-  if (!low || !high || interval.corners[1][0].is(0)) fail(range, "expected an interval with rational ends");
+  if (!low || !high || interval.corners[1][0].is(0))
+    fail(range, "expected an interval with rational ends");
   const std::string symbol = evaluator_.bind(item.name);
   Scope scope;
   scope.values[item.name] = {Scalar(Formula::symbol(symbol))};
-  const Formula polynomial =
-      as_formula(evaluator_, evaluator_.evaluate(item.expressions[0], scope), item.expressions[0]);
+  const Formula polynomial = as_formula(
+      evaluator_, evaluator_.evaluate(item.expressions[0], scope), item.expressions[0]);
   evaluator_.release(symbol);
   for (const std::string& v : symbolic::variables(polynomial))
-    if (v != symbol) fail(item.expressions[0], "a root of a polynomial with the parameter '" + v + "'");
+    if (v != symbol)
+      fail(item.expressions[0], "a root of a polynomial with the parameter '" + v + "'");
   try {
     return {Scalar(meaning_.numbers->root(polynomial, symbol, *low, *high))};
   } catch (const symbolic::NumberError& error) {
@@ -212,7 +196,8 @@ void Reader::add_id(const std::string& id, const text::Span& where) {
   const auto [known, fresh] = ids_.emplace(id, where);
   if (fresh) return;
   const auto first = text::position(*known->second.source, known->second.begin);
-  report({where, "the id '" + id + "' is used twice", "the first is in line " + std::to_string(first.line)});
+  report({where, "the id '" + id + "' is used twice",
+          "the first is in line " + std::to_string(first.line)});
 }
 
 void Reader::claim(const Item& item) {
@@ -225,71 +210,6 @@ void Reader::claim(const Item& item) {
     report(problem.diagnostic);
   } catch (const Broken&) {
   }
-}
-
-// What may stand in an id; everything else becomes a hyphen.
-std::string slug(const std::string& label) {
-  std::string result;
-  for (const char c : label) {
-    const bool fine = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                      c == '_' || c == '-';
-    if (fine)
-      result += c;
-    else if (!result.empty() && result.back() != '-')
-      result += '-';
-  }
-  while (!result.empty() && result.back() == '-') result.pop_back();
-  return result;
-}
-
-void Reader::table(const Item& item) {
-  MeantTable result{item.claim, item.comments, item.labels, {}};
-  result.heading.id = item.claim.id.empty() ? item.name : item.claim.id;
-  try {
-    std::vector<Value> columns = {Value{Scalar(0)}};
-    std::string variable;
-    if (!item.columns.empty()) {
-      const Expression& binding = item.columns[0];
-      const auto set = evaluator_.finite_set(binding.children[1], Scope{});
-      if (!set || set->empty()) fail(binding, "a table runs over a finite set");
-      columns = *set;
-      variable = binding.children[0].children[0].text;
-    }
-    if (!item.labels.empty() && item.labels.size() != columns.size())
-      report({item.name_span, "expected " + std::to_string(columns.size()) + " labels, found " + std::to_string(item.labels.size()), {}});
-    int row_number = 0;
-    for (const Item::Row& row : item.rows) {
-      ++row_number;
-      MeantTable::Row meant_row{row.label, row.value, {}};
-      if (row.printed.size() != columns.size())
-        fail(row.value, "this row has " + std::to_string(row.printed.size()) + " printed values, expected " +
-                            std::to_string(columns.size()));
-      for (std::size_t k = 0; k < columns.size(); ++k) {
-        Scope scope;
-        if (!variable.empty()) scope.values[variable] = columns[k];
-        Claim cell;
-        const std::string row_id = slug(row.label), column_label = k < item.labels.size() ? slug(item.labels[k]) : "";
-        cell.id = result.heading.id + "." + (row_id.empty() ? std::to_string(row_number) : row_id) + "." +
-                  (column_label.empty() ? std::to_string(k + 1) : column_label);
-        cell.title = row.label + (k < item.labels.size() ? ", " + item.labels[k] : "");
-        cell.at = item.claim.at;
-        cell.statement = {Expression::Kind::relation, "~", {row.value, row.printed[k]}, row.value.span};
-        if (row.truncated) cell.statement = {Expression::Kind::truncated, {}, {cell.statement}, row.value.span};
-        add_id(cell.id, row.value.span);
-        try {
-          meant_row.cells.push_back(meant(cell, scope, row.value.span));
-        } catch (const Problem& problem) {
-          report(problem.diagnostic);
-        } catch (const Broken&) {
-        }
-      }
-      result.rows.push_back(std::move(meant_row));
-    }
-  } catch (const Problem& problem) {
-    report(problem.diagnostic);
-  } catch (const Broken&) {
-  }
-  meaning_.items.push_back(std::move(result));
 }
 
 void Reader::figure(const Item& item) {
@@ -309,7 +229,8 @@ MeantAsk Reader::question(const std::string& id, const Expression& expression, i
   evaluator_.sides.clear();
   try {
     if (digits < 0 || digits > max_digits) fail(expression, "expected at most 10000 digits");
-    const Value value = evaluator_.resolved(evaluator_.evaluate(expression, Scope{}), expression);
+    const Value value =
+        evaluator_.resolved(evaluator_.evaluate(expression, Scope{}), expression);
     const Formula number = as_number(evaluator_, value, expression);
     result.decimal = meaning_.numbers->decimal(number, digits);
     result.closed_form = symbolic::text(meaning_.numbers->normal_form(number), 2000);
@@ -322,9 +243,13 @@ MeantAsk Reader::question(const std::string& id, const Expression& expression, i
     Stated stated;
     stated.goal = symbolic::all(
         {symbolic::atom(symbolic::Sign{number - Formula(exact::Rational(printed - half)),
-                                       symbolic::Relation::nonnegative, {}}, "not below the printed value"),
+                                       symbolic::Relation::nonnegative,
+                                       {}},
+                        "not below the printed value"),
          symbolic::atom(symbolic::Sign{Formula(exact::Rational(printed + half)) - number,
-                                       symbolic::Relation::nonnegative, {}}, "not above the printed value")});
+                                       symbolic::Relation::nonnegative,
+                                       {}},
+                        "not above the printed value")});
     stated.guards = evaluator_.sides;
     result.statement.exported = exported(stated, *meaning_.numbers);
   } catch (const Unsupported& unsupported) {
@@ -333,39 +258,6 @@ MeantAsk Reader::question(const std::string& id, const Expression& expression, i
   evaluator_.sides.clear();
   return result;
 }
-
-// Every id that is used is the id of a claim, and no claim rests on itself.
-void Reader::check_using() {
-  std::map<std::string, const MeantClaim*> claims;
-  std::vector<std::string> ids;
-  for (const MeantItem& item : meaning_.items)
-    if (const auto* claim = std::get_if<MeantClaim>(&item)) {
-      claims.emplace(claim->claim.id, claim);
-      ids.push_back(claim->claim.id);
-    }
-  std::map<std::string, int> state;  // 1: on the way, 2: done
-  const auto visit = [&](auto&& self, const MeantClaim& claim) -> void {
-    state[claim.claim.id] = 1;
-    for (const std::string& used : claim.claim.using_claims) {
-      const auto found = claims.find(used);
-      if (found == claims.end()) {
-        const std::string near = text::nearest(used, ids);
-        report({claim.span, "this claim uses '" + used + "', which is no claim",
-                near.empty() ? "" : "did you mean '" + near + "'?"});
-      } else if (state[used] == 1) {
-        report({claim.span, "circular 'using': '" + claim.claim.id + "' rests on itself by way of '" + used + "'", {}});
-      } else if (state[used] == 0) {
-        self(self, *found->second);
-      }
-    }
-    state[claim.claim.id] = 2;
-  };
-  for (const MeantItem& item : meaning_.items)
-    if (const auto* claim = std::get_if<MeantClaim>(&item); claim && state[claim->claim.id] == 0)
-      visit(visit, *claim);
-}
-
-}  // namespace
 
 Meaning mean(const File& file, const Opener& open) {
   Meaning meaning;
@@ -376,8 +268,8 @@ Meaning mean(const File& file, const Opener& open) {
   return meaning;
 }
 
-MeantAsk mean_question(const File& file, const Opener& open, const Expression& expression, int digits,
-                       std::vector<text::Diagnostic>& errors) {
+MeantAsk mean_question(const File& file, const Opener& open, const Expression& expression,
+                       int digits, std::vector<text::Diagnostic>& errors) {
   Meaning meaning;
   meaning.numbers = std::make_shared<Numbers>();
   Reader reader(meaning, open);

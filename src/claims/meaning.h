@@ -47,7 +47,8 @@ struct MeantTable {
   std::vector<Row> rows;
 };
 
-/// The decimal and the closed form are what the statement says of the value, for the checker to confirm.
+/// The decimal and the closed form are what the statement says of the value, for the checker to
+/// confirm.
 struct MeantAsk {
   std::string id;
   Expression expression;
@@ -81,13 +82,14 @@ struct Meaning {
   std::shared_ptr<Numbers> numbers;
 };
 
-/// Opens a file named by an `include`, relative to the folder of the including file; nothing if it must not or
-/// cannot be read.
+/// Opens a file named by an `include`, relative to the folder of the including file; nothing if
+/// it must not or cannot be read.
 using Opener = std::function<std::shared_ptr<const text::Source>(const std::string& path)>;
 
 Meaning mean(const File&, const Opener&);
 
-/// A question that is not in a file: what `seamproof ask FILE 'EXPR'` wants, in the scope of all its definitions.
+/// A question that is not in a file: what `seamproof ask FILE 'EXPR'` wants, in the scope of
+/// all its definitions.
 MeantAsk mean_question(const File&, const Opener&, const Expression&, int digits,
                        std::vector<text::Diagnostic>& errors);
 

@@ -81,7 +81,8 @@ Value labelled(Evaluator& evaluator, const Expression& e, const Scope& scope) {
   for (std::size_t c = 1; c < e.children.size(); ++c) {
     const Expression& control = e.children[c];
     const std::string& label = control.text;
-    const bool digits = label.size() == 3 && label.find_first_not_of("0123456789") == std::string::npos;
+    const bool digits =
+        label.size() == 3 && label.find_first_not_of("0123456789") == std::string::npos;
     const int i = digits ? label[0] - '0' : 0, j = digits ? label[1] - '0' : 0;
     if (!digits || i + j + (label[2] - '0') != degree)
       fail(control, "expected three digits that add up to " + std::to_string(degree));

@@ -96,24 +96,25 @@ std::size_t line_end(std::string_view bytes, std::size_t at) {
 
 Parsed parse(std::shared_ptr<const Source> source) {
   Parsed parsed;
-  parsed.file.source = source;
-  if (auto error = unreadable(source)) {
+  parsed.file.source = std::move(source);
+  const Source& text = *parsed.file.source;
+  if (auto error = unreadable(parsed.file.source)) {
     parsed.errors.push_back(std::move(*error));
     return parsed;
   }
 
-  const std::string_view bytes = source->bytes;
-  Builder builder(source);
+  const std::string_view bytes = text.bytes;
+  Builder builder(parsed.file.source);
   Ids ids;
-  std::size_t at = text_begin(*source);
+  std::size_t at = text_begin(text);
   builder.begin_item(at);
-  match<grammar::gap>(*source, at, builder);
+  match<grammar::gap>(text, at, builder);
   at = builder.gap_end;
 
   while (at < bytes.size() && parsed.errors.size() < max_errors) {
     builder.begin_item(at);
     try {
-      match<grammar::whole_item>(*source, at, builder);
+      match<grammar::whole_item>(text, at, builder);
       builder.item.comments = builder.take_comments(line_end(bytes, builder.item.span.end));
       if (auto error = ids.add(builder.item)) parsed.errors.push_back(std::move(*error));
       parsed.file.items.push_back(std::move(builder.item));
@@ -133,11 +134,12 @@ ParsedExpression parse_expression(std::shared_ptr<const Source> source) {
     parsed.errors.push_back(std::move(*error));
     return parsed;
   }
-  Builder builder(source);
-  const std::size_t at = text_begin(*source);
+  const Source& text = *source;
+  Builder builder(std::move(source));
+  const std::size_t at = text_begin(text);
   builder.begin_item(at);
   try {
-    match<grammar::whole_expression>(*source, at, builder);
+    match<grammar::whole_expression>(text, at, builder);
     parsed.expression = builder.take();
   } catch (SyntaxError& error) {
     parsed.errors.push_back(std::move(error.diagnostic));

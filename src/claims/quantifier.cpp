@@ -12,7 +12,8 @@ namespace {
 using Kind = Expression::Kind;
 
 bool is_infinite(const Expression& e) {
-  return e.kind == Kind::infinity || (e.kind == Kind::negate && e.children[0].kind == Kind::infinity);
+  return e.kind == Kind::infinity ||
+         (e.kind == Kind::negate && e.children[0].kind == Kind::infinity);
 }
 
 }  // namespace
@@ -35,16 +36,20 @@ symbolic::Simplex Evaluator::continuous_set(const Expression& set,
     const bool open_high = set.kind == Kind::tuple || set.text == "[)";
     const Expression &low = set.children[0], &high = set.children[1];
     if (is_infinite(low) && is_infinite(high)) fail(set, "say 'for all' for every real number");
-    if (is_infinite(low)) return symbolic::whole_line_left(symbols[0], number(high, scope), open_high);
-    if (is_infinite(high)) return symbolic::whole_line_right(symbols[0], number(low, scope), open_low);
+    if (is_infinite(low))
+      return symbolic::whole_line_left(symbols[0], number(high, scope), open_high);
+    if (is_infinite(high))
+      return symbolic::whole_line_right(symbols[0], number(low, scope), open_low);
     const Formula a = number(low, scope), b = number(high, scope);
     if (numbers.sign(b - a) != exact::Sign::positive)
-      fail(set, "this interval is empty or a single point", "its first end must be less than its second");
+      fail(set, "this interval is empty or a single point",
+           "its first end must be less than its second");
     return symbolic::interval(symbols[0], a, b, open_low, open_high);
   }
   const Value value = evaluate(set, scope);
   const auto* region = value.as<Region>();
-  if (!region) fail(set, "expected a set: an interval, 'triangle', a list; found " + description(value));
+  if (!region)
+    fail(set, "expected a set: an interval, 'triangle', a list; found " + description(value));
   if (region->dimension != static_cast<int>(symbols.size()))
     fail(set, "this set has dimension " + std::to_string(region->dimension) + ", not " +
                   std::to_string(symbols.size()));
@@ -58,10 +63,12 @@ Proposition Stating::quantified(const Expression& e, const Scope& scope, const C
   const Expression& body = e.children.back();
   std::vector<std::string> symbols;
 
-  // `sign`: what becomes of the body; under an existential everything is stated for all, and negated outside.
+  // `sign`: what becomes of the body; under an existential everything is stated for all, and
+  // negated outside.
   const auto run = [&](auto&& self, std::size_t k, const Scope& around, const Context& inner,
                        bool universal) -> Proposition {
-    if (k + 1 == e.children.size()) return state(body, around, inner, universal ? positive : !positive);
+    if (k + 1 == e.children.size())
+      return state(body, around, inner, universal ? positive : !positive);
     const Expression& binding = e.children[k];
     const auto& names = binding.children[0].children;
     Scope scope_here{&around, {}};
@@ -78,8 +85,10 @@ Proposition Stating::quantified(const Expression& e, const Scope& scope, const C
             scope_here.values[names[0].text] = item;
           } else {
             const auto entries = as_items(evaluator, item, binding);
-            if (entries.size() != names.size()) fail(binding, "these items do not split into that many names");
-            for (std::size_t i = 0; i < names.size(); ++i) scope_here.values[names[i].text] = entries[i];
+            if (entries.size() != names.size())
+              fail(binding, "these items do not split into that many names");
+            for (std::size_t i = 0; i < names.size(); ++i)
+              scope_here.values[names[i].text] = entries[i];
           }
           Proposition part = self(self, k + 1, scope_here, inner, universal);
           if (binding.children.size() > 2) {
@@ -98,7 +107,8 @@ Proposition Stating::quantified(const Expression& e, const Scope& scope, const C
       scope_here.values[name.text] = {Scalar(Formula::symbol(here.back()))};
     }
     if (has_set)
-      context_here.factors.push_back(evaluator.continuous_set(binding.children[1], here, around));
+      context_here.factors.push_back(
+          evaluator.continuous_set(binding.children[1], here, around));
     else
       context_here.lines.insert(context_here.lines.end(), here.begin(), here.end());
     if (binding.children.size() > 2) {
@@ -111,7 +121,8 @@ Proposition Stating::quantified(const Expression& e, const Scope& scope, const C
 
   if (existential && !context.empty())
     throw Unsupported("'for some' inside 'for all' over an infinite set is not covered");
-  // The innermost statement under an existential is negated; `state` gets the sign, `negation` undoes it.
+  // The innermost statement under an existential is negated; `state` gets the sign, `negation`
+  // undoes it.
   Proposition result = run(run, 0, scope, context, !existential);
   for (const std::string& symbol : symbols) evaluator.release(symbol);
   return existential ? symbolic::negation(std::move(result)) : result;

@@ -3,10 +3,11 @@
 
 #include "claims/stating.h"
 
-// A comparison of quotients a/b and c/d becomes one of polynomials: (a d - c b) * sign(b d) with
-// 0. The sign of a divisor is read off at one point of the context and stated as a guard for
-// all of it, so that nothing rests on the reading. Under constraints the context may fall apart
-// into pieces with different signs; there the square of nothing is assumed, and b d is multiplied in.
+// A comparison of quotients a/b and c/d becomes one of polynomials: (a d - c b) * sign(b d)
+// with 0. The sign of a divisor is read off at one point of the context and stated as a guard
+// for all of it, so that nothing rests on the reading. Under constraints the context may fall
+// apart into pieces with different signs; there the square of nothing is assumed, and b d is
+// multiplied in.
 
 namespace seam::claims {
 namespace {
@@ -27,11 +28,16 @@ Relation relation_of(const std::string& operation) {
 
 Relation flipped(Relation relation) {
   switch (relation) {
-    case Relation::positive: return Relation::negative;
-    case Relation::nonnegative: return Relation::nonpositive;
-    case Relation::nonpositive: return Relation::nonnegative;
-    case Relation::negative: return Relation::positive;
-    default: return relation;
+    case Relation::positive:
+      return Relation::negative;
+    case Relation::nonnegative:
+      return Relation::nonpositive;
+    case Relation::nonpositive:
+      return Relation::nonnegative;
+    case Relation::negative:
+      return Relation::positive;
+    default:
+      return relation;
   }
 }
 
@@ -47,7 +53,8 @@ std::vector<std::string> operations(const Expression& e) {
 }
 
 bool touches(const Simplex& factor, const std::set<std::string>& variables) {
-  return std::ranges::any_of(factor.variables, [&](const auto& v) { return variables.contains(v); });
+  return std::ranges::any_of(factor.variables,
+                             [&](const auto& v) { return variables.contains(v); });
 }
 
 }  // namespace
@@ -64,7 +71,8 @@ std::string negated_operation(const std::string& operation) {
 Proposition Stating::holds(const Formula& f, Relation relation, const Context& context,
                            const Expression& at, const std::string& about) {
   std::set<std::string> open = symbolic::variables(f);
-  for (const Constraint& constraint : context.where) open.merge(symbolic::variables(constraint.formula));
+  for (const Constraint& constraint : context.where)
+    open.merge(symbolic::variables(constraint.formula));
   if (open.empty() && context.where.empty()) {
     if (relation == Relation::zero) return symbolic::atom(symbolic::Zero{f}, about);
     return symbolic::atom(symbolic::Sign{f, relation, {}}, about);
@@ -88,11 +96,13 @@ Proposition Stating::holds(const Formula& f, Relation relation, const Context& c
       lines.push_back(parameter.name);
   }
   if (!open.empty())
-    fail(at, "the variable '" + *open.begin() + "' is not bound here", "say 'for all " + *open.begin() + ":' or where it ranges");
+    fail(at, "the variable '" + *open.begin() + "' is not bound here",
+         "say 'for all " + *open.begin() + ":' or where it ranges");
 
   if (relation == Relation::zero && domain.where.empty())
     return symbolic::atom(symbolic::Zero{f}, about);
-  if (lines.size() > 4) throw Unsupported("an inequality for all values of more than four reals");
+  if (lines.size() > 4)
+    throw Unsupported("an inequality for all values of more than four reals");
   std::vector<symbolic::Domain> domains = {domain};
   for (const std::string& line : lines) {
     std::vector<symbolic::Domain> halves;
@@ -142,10 +152,11 @@ std::optional<exact::Sign> Stating::sample_sign(const Formula& f, const Context&
   return std::nullopt;
 }
 
-void Stating::guard_divisors(const Scalar& value, const Context& context, const Expression& at) {
+void Stating::guard_divisors(const Scalar& value, const Context& context,
+                             const Expression& at) {
   for (const Formula& divisor : value.divisors) {
     const auto sign = context.where.empty() ? sample_sign(divisor, context) : std::nullopt;
-    const Relation relation = !sign                             ? Relation::nonzero
+    const Relation relation = !sign                            ? Relation::nonzero
                               : *sign == exact::Sign::positive ? Relation::positive
                                                                : Relation::negative;
     guards.push_back(holds(divisor, relation, context, at, "the divisor is not 0"));
@@ -158,9 +169,11 @@ Constraint Stating::compared(const Scalar& a, const std::string& operation, cons
   guard_divisors(b, context, at);
   const Scalar difference = a - b;
   const Relation relation = relation_of(operation);
-  if (difference.denominator.is(1) || relation == Relation::zero || relation == Relation::nonzero)
+  if (difference.denominator.is(1) || relation == Relation::zero ||
+      relation == Relation::nonzero)
     return {difference.numerator, relation};
-  const auto sign = context.where.empty() ? sample_sign(difference.denominator, context) : std::nullopt;
+  const auto sign =
+      context.where.empty() ? sample_sign(difference.denominator, context) : std::nullopt;
   if (!sign) return {difference.numerator * difference.denominator, relation};
   return {difference.numerator, *sign == exact::Sign::positive ? relation : flipped(relation)};
 }
@@ -203,12 +216,13 @@ Proposition Stating::compare(const Expression& at, const Value& a, const std::st
     return compare_extremum(at, *extremum, op, as_scalar(evaluator, right, at), context);
   }
   if (b.as<Extremum>()) {
-    static const std::map<std::string, std::string> mirrored = {{"<", ">"}, {"<=", ">="}, {">", "<"},
-                                                                {">=", "<="}};
+    static const std::map<std::string, std::string> mirrored = {
+        {"<", ">"}, {"<=", ">="}, {">", "<"}, {">=", "<="}};
     const auto found = mirrored.find(operation);
-    return compare(at, b, found == mirrored.end() ? operation : found->second, a, context, positive);
+    return compare(at, b, found == mirrored.end() ? operation : found->second, a, context,
+                   positive);
   }
-  if (const auto *f = a.as<Field>(), *g = b.as<Field>(); f || g) {
+  if (const auto* f = a.as<Field>(), *g = b.as<Field>(); f || g) {
     const geometry::Patch::Shape shape = f ? f->shape : g->shape;
     if (f && g && f->shape != g->shape) fail(at, "these functions live on different domains");
     Context inner = context;
@@ -216,14 +230,17 @@ Proposition Stating::compare(const Expression& at, const Value& a, const std::st
     if (shape == geometry::Patch::Shape::triangle) {
       inner.factors.push_back(symbolic::standard_simplex(names));
     } else {
-      for (const std::string& name : names) inner.factors.push_back(symbolic::interval(name, 0, 1));
+      for (const std::string& name : names)
+        inner.factors.push_back(symbolic::interval(name, 0, 1));
     }
     const auto plain = [](const Value& v) {
       const auto* field = v.as<Field>();
       if (!field) return v;
-      return field->components.size() == 1 ? Value{field->components[0]} : Value{Vector(field->components)};
+      return field->components.size() == 1 ? Value{field->components[0]}
+                                           : Value{Vector(field->components)};
     };
-    if (!positive && !context.empty()) throw Unsupported("a negated statement about a whole patch under 'for all'");
+    if (!positive && !context.empty())
+      throw Unsupported("a negated statement about a whole patch under 'for all'");
     Proposition p = compare(at, plain(a), operation, plain(b), inner, true);
     return positive ? p : symbolic::negation(std::move(p));
   }
@@ -236,7 +253,8 @@ Proposition Stating::compare(const Expression& at, const Value& a, const std::st
   if (p && q) {
     const auto points = points_of(*p), others = points_of(*q);
     if (!same_shape(*p, *q)) {
-      if (operation != "=" && operation != "!=") fail(at, "'" + operation + "' compares numbers only");
+      if (operation != "=" && operation != "!=")
+        fail(at, "'" + operation + "' compares numbers only");
       return (operation == "=") == positive ? symbolic::falsehood() : symbolic::truth();
     }
     return entries(at, points, others, operation, context, positive);
@@ -246,17 +264,25 @@ Proposition Stating::compare(const Expression& at, const Value& a, const std::st
     const Formula u = Formula::symbol(geometry::parameter_u);
     return compare(at, vector_value(geometry::evaluate(*c, u)), operation,
                    vector_value(geometry::evaluate(*d, u)),
-                   Context{context.factors, [&] { auto l = context.lines; l.push_back(geometry::parameter_u); return l; }(), context.where}, positive);
+                   Context{context.factors,
+                           [&] {
+                             auto l = context.lines;
+                             l.push_back(geometry::parameter_u);
+                             return l;
+                           }(),
+                           context.where},
+                   positive);
   }
   const bool lists = (a.as<List>() || a.as<Vector>() || a.as<MatrixValue>()) &&
                      (b.as<List>() || b.as<Vector>() || b.as<MatrixValue>());
   if (!lists)
-    fail(at, "'" + operation + "' does not compare " + description(a) + " with " + description(b));
+    fail(at,
+         "'" + operation + "' does not compare " + description(a) + " with " + description(b));
   const auto left = as_items(evaluator, a, at), right = as_items(evaluator, b, at);
   if (left.size() != right.size()) {
     if (a.as<Vector>() || b.as<Vector>() || (operation != "=" && operation != "!="))
-      fail(at, "these have " + std::to_string(left.size()) + " and " + std::to_string(right.size()) +
-                   " entries");
+      fail(at, "these have " + std::to_string(left.size()) + " and " +
+                   std::to_string(right.size()) + " entries");
     return (operation == "=") == positive ? symbolic::falsehood() : symbolic::truth();
   }
   return entries(at, left, right, operation, context, positive);
@@ -271,7 +297,8 @@ Proposition Stating::compare_extremum(const Expression& at, const Extremum& extr
     std::vector<Proposition> parts;
     for (const Extremum::Part& part : extremum.parts) {
       Context inner = context;
-      inner.factors.insert(inner.factors.end(), part.domain.factors.begin(), part.domain.factors.end());
+      inner.factors.insert(inner.factors.end(), part.domain.factors.begin(),
+                           part.domain.factors.end());
       inner.where.insert(inner.where.end(), part.domain.where.begin(), part.domain.where.end());
       const Constraint c = compared(part.value, op, bound, inner, at);
       parts.push_back(holds(c.formula, c.relation, inner, at));
@@ -279,7 +306,8 @@ Proposition Stating::compare_extremum(const Expression& at, const Extremum& extr
     return symbolic::all(std::move(parts));
   };
   const auto somewhere_not = [&](const std::string& op) {
-    if (!context.empty()) throw Unsupported("an attained extremum under 'for all' is not covered");
+    if (!context.empty())
+      throw Unsupported("an attained extremum under 'for all' is not covered");
     return symbolic::negation(everywhere(op));
   };
   const bool max = extremum.maximum;
@@ -303,22 +331,27 @@ Proposition Stating::relation(const Expression& e, const Scope& scope, const Con
   const Expression& chain = truncated ? e.children[0] : e;
   const std::vector<std::string> ops = operations(chain);
   std::vector<Value> values;
-  for (const Expression& child : chain.children) values.push_back(evaluator.evaluate(child, scope));
+  for (const Expression& child : chain.children)
+    values.push_back(evaluator.evaluate(child, scope));
   std::vector<Proposition> parts;
   for (std::size_t i = 0; i < ops.size(); ++i) {
     if (ops[i] == "~")
-      parts.push_back(approximation(chain, values[i], chain.children[i + 1], truncated, context, positive));
+      parts.push_back(
+          approximation(chain, values[i], chain.children[i + 1], truncated, context, positive));
     else
       parts.push_back(compare(chain, values[i], ops[i], values[i + 1], context, positive));
   }
   if (parts.size() == 1) return parts.front();
   if (positive) return symbolic::all(std::move(parts));
-  if (!context.empty()) throw Unsupported("the negation of a chain of comparisons under 'for all'");
+  if (!context.empty())
+    throw Unsupported("the negation of a chain of comparisons under 'for all'");
   return symbolic::any(std::move(parts));
 }
 
-std::optional<std::vector<Constraint>> Stating::constraints(const Expression& e, const Scope& scope,
-                                                            const Context& context, bool positive) {
+std::optional<std::vector<Constraint>> Stating::constraints(const Expression& e,
+                                                            const Scope& scope,
+                                                            const Context& context,
+                                                            bool positive) {
   const auto both = [&](bool left, bool right) -> std::optional<std::vector<Constraint>> {
     auto a = constraints(e.children[0], scope, context, left);
     auto b = constraints(e.children[1], scope, context, right);
@@ -336,10 +369,12 @@ std::optional<std::vector<Constraint>> Stating::constraints(const Expression& e,
   std::vector<Constraint> result;
   for (std::size_t i = 0; i < ops.size(); ++i) {
     if (ops[i] == "~") return std::nullopt;
-    const Value a = evaluator.evaluate(e.children[i], scope), b = evaluator.evaluate(e.children[i + 1], scope);
+    const Value a = evaluator.evaluate(e.children[i], scope),
+                b = evaluator.evaluate(e.children[i + 1], scope);
     const auto *x = a.as<Scalar>(), *y = b.as<Scalar>();
     if (!x || !y) return std::nullopt;
-    result.push_back(compared(*x, positive ? ops[i] : negated_operation(ops[i]), *y, context, e));
+    result.push_back(
+        compared(*x, positive ? ops[i] : negated_operation(ops[i]), *y, context, e));
   }
   return result;
 }

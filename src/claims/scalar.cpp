@@ -13,9 +13,8 @@ namespace seam::claims {
 namespace {
 
 void add_divisor(std::vector<Formula>& divisors, const Formula& divisor) {
-  const bool known = std::ranges::any_of(divisors, [&](const Formula& d) {
-    return d.identity() == divisor.identity();
-  });
+  const bool known = std::ranges::any_of(
+      divisors, [&](const Formula& d) { return d.identity() == divisor.identity(); });
   if (!known) divisors.push_back(divisor);
 }
 
@@ -46,7 +45,9 @@ Scalar operator+(const Scalar& a, const Scalar& b) {
               a.denominator * b.denominator, united(a, b));
 }
 
-Scalar operator-(const Scalar& a) { return with(-a.numerator, a.denominator, a.divisors); }
+Scalar operator-(const Scalar& a) {
+  return with(-a.numerator, a.denominator, a.divisors);
+}
 Scalar operator-(const Scalar& a, const Scalar& b) {
   if (same_denominator(a, b))
     return with(a.numerator - b.numerator, a.denominator, united(a, b));
@@ -63,8 +64,9 @@ Scalar divide(const Scalar& a, const Scalar& b, Numbers& numbers) {
     if (divisor.is_constant() && divisor.value() == 0) throw DivisionByZero();
     if (!divisor.is_constant() && numbers.sign(divisor) == exact::Sign::zero)
       throw DivisionByZero();
-    const Formula inverse =
-        divisor.is_constant() ? Formula(exact::Rational(1) / divisor.value()) : numbers.inverse(divisor);
+    const Formula inverse = divisor.is_constant()
+                                ? Formula(exact::Rational(1) / divisor.value())
+                                : numbers.inverse(divisor);
     return with(a.numerator * b.denominator * inverse, a.denominator, united(a, b));
   }
   Scalar result = with(a.numerator * b.denominator, a.denominator * divisor, united(a, b));
@@ -112,8 +114,8 @@ Scalar walk(const Formula& f, const std::map<std::string, Scalar>& map, Memo& me
 
 Scalar substitute(const Scalar& value, const std::map<std::string, Scalar>& map,
                   Numbers& numbers) {
-  const bool polynomial = std::ranges::all_of(
-      map, [](const auto& entry) { return entry.second.is_polynomial(); });
+  const bool polynomial =
+      std::ranges::all_of(map, [](const auto& entry) { return entry.second.is_polynomial(); });
   if (polynomial) {
     std::map<std::string, Formula> formulas;
     for (const auto& [name, scalar] : map) formulas.emplace(name, scalar.numerator);

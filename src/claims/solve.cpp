@@ -67,12 +67,14 @@ void Solving::collect(const Expression& e, const Scope& scope, System& system) {
       return;
     case Kind::relation:
       if (e.text != "=") break;
-      equate(e, evaluator_.evaluate(e.children[0], scope), evaluator_.evaluate(e.children[1], scope), system);
+      equate(e, evaluator_.evaluate(e.children[0], scope),
+             evaluator_.evaluate(e.children[1], scope), system);
       return;
     case Kind::for_all: {
       Scope inner{&scope, {}};
       for (std::size_t i = 0; i + 1 < e.children.size(); ++i) {
-        if (e.children[i].text != "all") throw Unsupported("'solve' with a bounded 'for' inside");
+        if (e.children[i].text != "all")
+          throw Unsupported("'solve' with a bounded 'for' inside");
         for (const Expression& name : e.children[i].children[0].children) {
           system.for_all.push_back(evaluator_.bind(name.text));
           inner.values[name.text] = {Scalar(Formula::symbol(system.for_all.back()))};
@@ -94,7 +96,8 @@ void Solving::collect(const Expression& e, const Scope& scope, System& system) {
       collect(item.expressions[0], inner, system);
       return;
     }
-    default: break;
+    default:
+      break;
   }
   throw Unsupported("'solve' is covered for equations, 'and', and 'for all' only");
 }
@@ -111,7 +114,8 @@ void Solving::raise(Ends& ends, const Formula& bound, bool open, bool lower) {
 }
 
 // A condition on the unknown: comparisons of the unknown itself with numbers.
-void Solving::narrow(const Expression& e, const Scope& scope, const std::string& unknown, Ends& ends) {
+void Solving::narrow(const Expression& e, const Scope& scope, const std::string& unknown,
+                     Ends& ends) {
   if (e.kind == Kind::conjunction) {
     narrow(e.children[0], scope, unknown, ends);
     narrow(e.children[1], scope, unknown, ends);
@@ -120,9 +124,11 @@ void Solving::narrow(const Expression& e, const Scope& scope, const std::string&
   const bool one = e.kind == Kind::relation && e.children.size() == 2;
   if (!one || (e.text != "<" && e.text != "<=" && e.text != ">" && e.text != ">="))
     throw Unsupported("a condition of 'solve' other than a bound for the unknown");
-  const Scalar left = evaluator_.scalar(e.children[0], scope), right = evaluator_.scalar(e.children[1], scope);
+  const Scalar left = evaluator_.scalar(e.children[0], scope),
+               right = evaluator_.scalar(e.children[1], scope);
   const auto is_unknown = [&](const Scalar& s) {
-    return s.is_polynomial() && s.numerator.kind() == Formula::Kind::symbol && s.numerator.name() == unknown;
+    return s.is_polynomial() && s.numerator.kind() == Formula::Kind::symbol &&
+           s.numerator.name() == unknown;
   };
   const bool open = e.text.size() == 1, greater = e.text[0] == '>';
   if (is_unknown(left) && is_number(right)) return raise(ends, right.numerator, open, greater);
@@ -154,14 +160,16 @@ std::vector<Simplex> pieces(const Ends& ends, const std::string& unknown, const 
     return {symbolic::interval(unknown, *ends.low, *ends.high, ends.open_low, ends.open_high)};
   if (ends.low) return {symbolic::whole_line_right(unknown, *ends.low, ends.open_low)};
   if (ends.high) return {symbolic::whole_line_left(unknown, *ends.high, ends.open_high)};
-  return {symbolic::whole_line_left(unknown, cut, false), symbolic::whole_line_right(unknown, cut, true)};
+  return {symbolic::whole_line_left(unknown, cut, false),
+          symbolic::whole_line_right(unknown, cut, true)};
 }
 
 }  // namespace
 
 Proposition Stating::solved(const Expression& e, const Scope& scope, const Context& context) {
   const auto& unknowns = e.children[0].children;
-  if (unknowns.size() != 1) throw Unsupported("'solve' with several unknowns is not covered yet");
+  if (unknowns.size() != 1)
+    throw Unsupported("'solve' with several unknowns is not covered yet");
   const bool bounded = unknowns[0].kind == Kind::binding;
   const auto& names = bounded ? unknowns[0].children[0].children : unknowns;
   if (names.size() != 1) throw Unsupported("'solve' with several unknowns is not covered yet");
@@ -172,7 +180,8 @@ Proposition Stating::solved(const Expression& e, const Scope& scope, const Conte
   Scope inner{&scope, {}};
   inner.values[names[0].text] = {Scalar(Formula::symbol(system.unknown))};
   Ends ends;
-  if (bounded && unknowns[0].children.size() > 1) ends = solving.ends_of(unknowns[0].children[1], scope);
+  if (bounded && unknowns[0].children.size() > 1)
+    ends = solving.ends_of(unknowns[0].children[1], scope);
   for (const Expression& condition : e.children[2].children)
     solving.narrow(condition, inner, system.unknown, ends);
   solving.collect(e.children[1], inner, system);
@@ -194,13 +203,16 @@ Proposition Stating::solved(const Expression& e, const Scope& scope, const Conte
                                ? as_number(evaluator, {value.as<Vector>()->front()}, solution)
                                : as_number(evaluator, value, solution);
     for (const Formula& other : exact)
-      if (evaluator.numbers.equal(other, number)) fail(solution, "this solution is given twice");
+      if (evaluator.numbers.equal(other, number))
+        fail(solution, "this solution is given twice");
     exact.push_back(number);
     if (ends.low)
-      parts.push_back(holds(number - *ends.low, ends.open_low ? Relation::positive : Relation::nonnegative,
-                            context, solution, "the solution lies in the domain"));
+      parts.push_back(holds(number - *ends.low,
+                            ends.open_low ? Relation::positive : Relation::nonnegative, context,
+                            solution, "the solution lies in the domain"));
     if (ends.high)
-      parts.push_back(holds(*ends.high - number, ends.open_high ? Relation::positive : Relation::nonnegative,
+      parts.push_back(holds(*ends.high - number,
+                            ends.open_high ? Relation::positive : Relation::nonnegative,
                             context, solution, "the solution lies in the domain"));
   }
 
@@ -208,7 +220,8 @@ Proposition Stating::solved(const Expression& e, const Scope& scope, const Conte
     throw Unsupported("'gives one' without a printed value ('gives one ~ 0.617')");
   const Formula cut = near.empty() ? Formula(0) : Formula(Rational(near.front().first - 1));
   for (const Simplex& piece : pieces(ends, system.unknown, cut)) {
-    symbolic::Solutions solutions{system.equations, system.unknown, system.for_all, piece, {}, {}};
+    symbolic::Solutions solutions{
+        system.equations, system.unknown, system.for_all, piece, {}, {}};
     const bool halves = !ends.low && !ends.high, left = halves && piece.corners[1][1].is(-1);
     for (const Formula& number : exact) {
       const bool on_left = evaluator.numbers.sign(number - cut) != exact::Sign::positive;

@@ -18,7 +18,8 @@ Proposition Stating::state(const Expression& e, const Scope& scope, const Contex
     return state(e.children[i], scope, context, sign);
   };
   switch (e.kind) {
-    case Kind::negation: return part(0, !positive);
+    case Kind::negation:
+      return part(0, !positive);
     case Kind::conjunction:
       if (positive) return symbolic::all({part(0, true), part(1, true)});
       return alternatives({{&e.children[0], false}, {&e.children[1], false}}, scope, context);
@@ -30,7 +31,8 @@ Proposition Stating::state(const Expression& e, const Scope& scope, const Contex
       return alternatives({{&e.children[0], false}, {&e.children[1], true}}, scope, context);
     case Kind::equivalence: {
       if (!positive) {
-        if (!context.empty()) throw Unsupported("'not (… iff …)' under 'for all' is not covered");
+        if (!context.empty())
+          throw Unsupported("'not (… iff …)' under 'for all' is not covered");
         return symbolic::negation(state(e, scope, context));
       }
       return symbolic::all(
@@ -38,17 +40,22 @@ Proposition Stating::state(const Expression& e, const Scope& scope, const Contex
            alternatives({{&e.children[0], true}, {&e.children[1], false}}, scope, context)});
     }
     case Kind::for_all:
-    case Kind::for_some: return quantified(e, scope, context, positive);
+    case Kind::for_some:
+      return quantified(e, scope, context, positive);
     case Kind::relation:
-    case Kind::truncated: return relation(e, scope, context, positive);
+    case Kind::truncated:
+      return relation(e, scope, context, positive);
     case Kind::solve: {
       if (!context.empty()) throw Unsupported("'solve' under a quantifier is not covered");
       Proposition p = solved(e, scope, context);
       return positive ? p : symbolic::negation(std::move(p));
     }
     case Kind::call:
-    case Kind::name: return called(e, scope, context, positive);
-    default: fail(e, "expected a statement, found a value", "a claim compares, quantifies or uses a predicate");
+    case Kind::name:
+      return called(e, scope, context, positive);
+    default:
+      fail(e, "expected a statement, found a value",
+           "a claim compares, quantifies or uses a predicate");
   }
 }
 
@@ -92,7 +99,8 @@ static void collect(const Proposition& p, std::set<std::string>& found) {
   }
 }
 
-static Context parameters_in(const Evaluator& evaluator, const Stating& stating, const Proposition& goal) {
+static Context parameters_in(const Evaluator& evaluator, const Stating& stating,
+                             const Proposition& goal) {
   std::set<std::string> found;
   collect(goal, found);
   for (const Proposition& guard : stating.guards) collect(guard, found);
@@ -108,8 +116,8 @@ static Context parameters_in(const Evaluator& evaluator, const Stating& stating,
   return context;
 }
 
-// A statement that holds a parameter is one about all its values: "for all" stands around it, unsaid. Whether
-// one does shows when it has been stated once.
+// A statement that holds a parameter is one about all its values: "for all" stands around it,
+// unsaid. Whether one does shows when it has been stated once.
 Stated state(Evaluator& evaluator, const Expression& statement, const Scope& scope) {
   Context context;
   for (;;) {

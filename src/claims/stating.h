@@ -33,7 +33,8 @@ class Stating {
   Proposition relation(const Expression&, const Scope&, const Context&, bool positive);
   Proposition approximation(const Expression&, const Value& left, const Expression& printed,
                             bool truncated, const Context&, bool positive);
-  /// The formula has the relation to 0 on all of the context; parameters of the file are added to it.
+  /// The formula has the relation to 0 on all of the context; parameters of the file are added
+  /// to it.
   Proposition holds(const Formula&, Relation, const Context&, const Expression& at,
                     const std::string& about = {});
   /// `a operation b` as `formula relation 0`, with guards for the divisors.
@@ -63,13 +64,15 @@ class Stating {
                       const Value& b, const Context&, bool positive);
   Proposition compare_extremum(const Expression&, const Extremum&, const std::string& operation,
                                const Scalar&, const Context&);
-  Proposition entries(const Expression&, const std::vector<Value>& a, const std::vector<Value>& b,
-                      const std::string& operation, const Context&, bool positive);
+  Proposition entries(const Expression&, const std::vector<Value>& a,
+                      const std::vector<Value>& b, const std::string& operation, const Context&,
+                      bool positive);
   std::optional<exact::Sign> sample_sign(const Formula&, const Context&);
   void guard_divisors(const Scalar&, const Context&, const Expression& at);
 };
 
-/// The numbers that a printed decimal is a correct rounding of: half a unit of its last digit to either side.
+/// The numbers that a printed decimal is a correct rounding of: half a unit of its last digit
+/// to either side.
 std::pair<exact::Rational, exact::Rational> printed_range(const Expression& printed);
 
 std::string negated_operation(const std::string& operation);

@@ -37,6 +37,6 @@ std::string fenced(const std::string& open, const std::string& body, const std::
 std::string typeset_list(const std::vector<Expression>&, std::size_t first, bool row);
 
 /// The mathematics of an expression, or its source where TeX would give up on so deep a nest.
-std::string shallow(std::string tex, const Expression&);
+std::string shallow(const std::string& tex, const Expression&);
 
 }  // namespace seam::claims

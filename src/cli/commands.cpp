@@ -32,7 +32,8 @@ report::Colour colour_of(const std::string& word) {
 class ProgressLine {
  public:
   explicit ProgressLine(bool quiet) : terminal_(isatty(STDERR_FILENO) != 0 && !quiet) {
-    if (!terminal_ && !quiet) heartbeat_ = std::jthread([this](const std::stop_token& stop) { beat(stop); });
+    if (!terminal_ && !quiet)
+      heartbeat_ = std::jthread([this](const std::stop_token& stop) { beat(stop); });
   }
   ~ProgressLine() {
     if (terminal_) std::cerr << "\r\x1b[K";
@@ -63,10 +64,12 @@ class ProgressLine {
 };
 
 void write(const fs::path& path, const std::string& bytes) {
-  if (const auto error = report::write_file(path, bytes)) throw Failure{io_error, error->message + "\n"};
+  if (const auto error = report::write_file(path, bytes))
+    throw Failure{io_error, error->message + "\n"};
 }
 
-void write_outputs(const fs::path& folder, const Verified& verified, const std::string& tool, bool pdf) {
+void write_outputs(const fs::path& folder, const Verified& verified, const std::string& tool,
+                   bool pdf) {
   const report::Run run{tool, {verified.run}};
   for (const auto& [name, certificate] : verified.certificates)
     write(folder / name, certificate::write(certificate));
@@ -77,7 +80,9 @@ void write_outputs(const fs::path& folder, const Verified& verified, const std::
     throw Failure{io_error, error->message + "\n"};
 }
 
-std::string tool_name() { return std::string("seamproof ") + SEAMPROOF_VERSION; }
+std::string tool_name() {
+  return std::string("seamproof ") + SEAMPROOF_VERSION;
+}
 
 // The one claim of a file, with everything it uses.
 Verified one_claim(const std::string& file, const std::string& id, VerifyOptions options) {
@@ -101,7 +106,8 @@ Verified one_claim(const std::string& file, const std::string& id, VerifyOptions
   options.claims = {id};
   for (std::size_t i = 0; i < options.claims.size(); ++i)
     for (const std::string& used : uses[options.claims[i]])
-      if (std::ranges::find(options.claims, used) == options.claims.end()) options.claims.push_back(used);
+      if (std::ranges::find(options.claims, used) == options.claims.end())
+        options.claims.push_back(used);
   return verify(file, options, [](int, int, const std::string&) {});
 }
 
@@ -117,14 +123,15 @@ const char* status_word(report::ObligationRun::Status status) {
 }
 
 void print_outcome(const char* heading, const report::Outcome& outcome) {
-  std::cout << heading << ": " << outcome.text << "\n  " << report::shape(outcome.verdict) << " "
-            << report::word(outcome.verdict);
+  std::cout << heading << ": " << outcome.text << "\n  " << report::shape(outcome.verdict)
+            << " " << report::word(outcome.verdict);
   if (!outcome.witness.empty()) std::cout << ", " << outcome.witness;
   if (!outcome.reason.empty()) std::cout << ", " << outcome.reason << ": " << outcome.detail;
   std::cout << "\n";
   int number = 0;
   for (const auto& o : outcome.obligations) {
-    std::cout << "  " << ++number << ". " << status_word(o.status) << "  " << o.kind << (o.guard ? " (guard)" : "");
+    std::cout << "  " << ++number << ". " << status_word(o.status) << "  " << o.kind
+              << (o.guard ? " (guard)" : "");
     if (!o.about.empty()) std::cout << "  " << o.about;
     std::cout << "\n     " << o.text << "\n     " << o.evidence << "\n";
   }
@@ -135,18 +142,23 @@ void print_outcome(const char* heading, const report::Outcome& outcome) {
 int verify_files(const std::vector<std::string>& arguments, const VerifyOptions& options,
                  const Outputs& outputs) {
   const std::vector<fs::path> files = seam_files(arguments);
-  const bool colour = report::wants_colour(colour_of(outputs.colour), isatty(STDOUT_FILENO) != 0, std::getenv("NO_COLOR"));
+  const bool colour = report::wants_colour(colour_of(outputs.colour),
+                                           isatty(STDOUT_FILENO) != 0, std::getenv("NO_COLOR"));
   report::Run run{tool_name(), {}};
   for (const fs::path& file : files) {
     ProgressLine progress(outputs.quiet);
-    Verified verified = verify(file, options, [&](int done, int all, const std::string& id) { progress(done, all, id); });
+    Verified verified = verify(file, options, [&](int done, int all, const std::string& id) {
+      progress(done, all, id);
+    });
     if (!outputs.out.empty()) {
-      const fs::path folder = files.size() == 1 ? fs::path(outputs.out) : fs::path(outputs.out) / file.stem();
+      const fs::path folder =
+          files.size() == 1 ? fs::path(outputs.out) : fs::path(outputs.out) / file.stem();
       write_outputs(folder, verified, run.tool, outputs.pdf);
     }
     run.files.push_back(std::move(verified.run));
   }
-  const bool nothing = std::ranges::all_of(run.files, [](const auto& f) { return report::claims(f).empty(); });
+  const bool nothing =
+      std::ranges::all_of(run.files, [](const auto& f) { return report::claims(f).empty(); });
   if (nothing && !options.claims.empty()) throw Failure{usage, "no claim has such an id\n"};
   if (!outputs.json.empty() && outputs.json != "-") write(outputs.json, report::json(run));
   if (outputs.json == "-") {
@@ -156,9 +168,11 @@ int verify_files(const std::vector<std::string>& arguments, const VerifyOptions&
   }
   for (const auto& file : run.files)
     for (const report::ClaimRun* claim : report::claims(file))
-      for (const report::Outcome* outcome : {&claim->printed, claim->corrected ? &*claim->corrected : nullptr})
+      for (const report::Outcome* outcome :
+           {&claim->printed, claim->corrected ? &*claim->corrected : nullptr})
         if (outcome && !outcome->alarm.empty())
-          std::cerr << "soundness alarm: " << claim->id << ": the checker did not accept the evidence: " << outcome->alarm << "\n";
+          std::cerr << "soundness alarm: " << claim->id
+                    << ": the checker did not accept the evidence: " << outcome->alarm << "\n";
   return report::exit_status(run, outputs.allow_undecided);
 }
 
@@ -176,7 +190,9 @@ int list_obligations(const std::vector<std::string>& files) {
   for (const fs::path& file : seam_files(files)) {
     const claims::Meaning meaning = meant(file);
     const auto print = [](const std::string& id, const claims::Lowered& lowered) {
-      const std::string digest = lowered.exported ? certificate::digest(lowered.exported->statement).substr(0, 16) : "unsupported     ";
+      const std::string digest =
+          lowered.exported ? certificate::digest(lowered.exported->statement).substr(0, 16)
+                           : "unsupported     ";
       std::cout << digest << "  " << id << "\n";
     };
     const auto print_claim = [&](const claims::MeantClaim& claim) {
@@ -207,12 +223,14 @@ int format_files(const std::vector<std::string>& files, bool in_place) {
 int explain(const std::string& file, const std::string& id, const VerifyOptions& options) {
   const Verified verified = one_claim(file, id, options);
   const report::ClaimRun& claim = find(verified.run, id);
-  std::cout << id << (claim.title.empty() ? "" : "  \"" + claim.title + "\"") << (claim.at.empty() ? "" : "  at " + claim.at) << "\n";
+  std::cout << id << (claim.title.empty() ? "" : "  \"" + claim.title + "\"")
+            << (claim.at.empty() ? "" : "  at " + claim.at) << "\n";
   for (const std::string& comment : claim.comments) std::cout << "  # " << comment << "\n";
   print_outcome("statement", claim.printed);
   if (claim.corrected) print_outcome("corrected", *claim.corrected);
   for (const std::string& used : claim.using_claims)
-    std::cout << "rests on " << used << ": " << report::word(find(verified.run, used).printed.verdict) << "\n";
+    std::cout << "rests on " << used << ": "
+              << report::word(find(verified.run, used).printed.verdict) << "\n";
   return ok;
 }
 
@@ -221,27 +239,36 @@ int trust(const std::string& file, const std::string& id, const VerifyOptions& o
   const report::ClaimRun& claim = find(verified.run, id);
   std::cout << id << ": " << report::word(claim.printed.verdict) << "\n\n"
             << "To believe this you have to believe\n"
-            << "- that the statement says what the paper says:\n    " << claim.printed.text << "\n"
-            << "- that these obligations are what it means (digest " << claim.printed.digest.substr(0, 16) << "):\n";
+            << "- that the statement says what the paper says:\n    " << claim.printed.text
+            << "\n"
+            << "- that these obligations are what it means (digest "
+            << claim.printed.digest.substr(0, 16) << "):\n";
   for (const auto& o : claim.printed.obligations)
-    std::cout << "    " << status_word(o.status) << "  " << o.text << (o.about.empty() ? "" : "  [" + o.about + "]") << "\n";
+    std::cout << "    " << status_word(o.status) << "  " << o.text
+              << (o.about.empty() ? "" : "  [" + o.about + "]") << "\n";
   std::cout << "- the meaning of the definitions and predicates it uses (docs/language.md)";
   for (const std::string& predicate : claim.predicates) std::cout << " " << predicate;
-  std::cout << "\n- the checker, seamproof-check, its Boost.Multiprecision integers and the compiler.\n"
-            << "You need not believe the prover or its libraries (GiNaC, CLN, FLINT, Arb, GMP) for the verdict; geometry and the\n"
+  std::cout << "\n- the checker, seamproof-check, its Boost.Multiprecision integers and the "
+               "compiler.\n"
+            << "You need not believe the prover or its libraries (GiNaC, CLN, FLINT, Arb, GMP) "
+               "for the verdict; geometry and the\n"
             << "reading of the file use GMP, FLINT and Arb to build the obligations.\n";
   for (const std::string& used : claim.using_claims)
-    std::cout << "It rests on the claim " << used << ": " << report::word(find(verified.run, used).printed.verdict) << "\n";
+    std::cout << "It rests on the claim " << used << ": "
+              << report::word(find(verified.run, used).printed.verdict) << "\n";
   return ok;
 }
 
-int ask(const std::string& file, const std::string& expression, int digits, const VerifyOptions& options) {
-  const auto source = std::make_shared<const text::Source>(text::Source{"question", expression});
+int ask(const std::string& file, const std::string& expression, int digits,
+        const VerifyOptions& options) {
+  const auto source =
+      std::make_shared<const text::Source>(text::Source{"question", expression});
   claims::ParsedExpression question = claims::parse_expression(source);
   std::vector<text::Diagnostic> errors = std::move(question.errors);
   claims::MeantAsk meant_ask;
   if (errors.empty())
-    meant_ask = claims::mean_question(parsed(file), opener_beside(file), question.expression, digits, errors);
+    meant_ask = claims::mean_question(parsed(file), opener_beside(file), question.expression,
+                                      digits, errors);
   if (!errors.empty()) {
     std::string all;
     for (const auto& error : errors) all += text::render(error);
@@ -249,18 +276,24 @@ int ask(const std::string& file, const std::string& expression, int digits, cons
   }
   prove::Budget budget;
   budget.effort = options.effort;
-  const Decided decided = decide(meant_ask.statement, meant_ask.expression, budget);
+  const Decided decided = decide(meant_ask.statement, meant_ask.expression, budget,
+                                 [](const symbolic::Formula& f) { return f; });
   if (decided.outcome.verdict != certificate::Verdict::proven) {
     std::cerr << "no certified value: "
-              << (decided.outcome.detail.empty() ? "the value that was found could not be confirmed" : decided.outcome.detail) << "\n";
+              << (decided.outcome.detail.empty()
+                      ? "the value that was found could not be confirmed"
+                      : decided.outcome.detail)
+              << "\n";
     return 2;
   }
-  std::cout << meant_ask.decimal << "\n" << "= " << meant_ask.closed_form << "\n";
+  std::cout << meant_ask.decimal << "\n"
+            << "= " << meant_ask.closed_form << "\n";
   return ok;
 }
 
 int start_file(const std::string& name) {
-  const fs::path path = fs::path(name).extension() == ".seam" ? fs::path(name) : fs::path(name + ".seam");
+  const fs::path path =
+      fs::path(name).extension() == ".seam" ? fs::path(name) : fs::path(name + ".seam");
   if (fs::exists(path)) throw Failure{usage, "'" + path.string() + "' exists already\n"};
   write(path, R"(# A paper's mathematics: definitions first, then its claims.
 paper "Title of the paper" by "Its authors"

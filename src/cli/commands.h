@@ -25,7 +25,8 @@ int list_obligations(const std::vector<std::string>& files);
 int format_files(const std::vector<std::string>& files, bool in_place);
 int explain(const std::string& file, const std::string& id, const VerifyOptions&);
 int trust(const std::string& file, const std::string& id, const VerifyOptions&);
-int ask(const std::string& file, const std::string& expression, int digits, const VerifyOptions&);
+int ask(const std::string& file, const std::string& expression, int digits,
+        const VerifyOptions&);
 int start_file(const std::string& name);
 
 }  // namespace seam::cli

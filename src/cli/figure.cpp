@@ -13,17 +13,22 @@ using Net = std::vector<std::vector<Triple>>;
 
 constexpr int cuts = 8;  // a side of a patch
 
-Triple mixed(const Triple& a, double s, const Triple& b, double t, const Triple& c = {}, double r = 0) {
+Triple mixed(const Triple& a, double s, const Triple& b, double t, const Triple& c = {},
+             double r = 0) {
   Triple result;
   for (int i = 0; i < 3; ++i) result[i] = s * a[i] + t * b[i] + r * c[i];
   return result;
 }
 
-Triple minus(const Triple& a, const Triple& b) { return mixed(a, 1, b, -1); }
+Triple minus(const Triple& a, const Triple& b) {
+  return mixed(a, 1, b, -1);
+}
 Triple cross(const Triple& a, const Triple& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-double dot(const Triple& a, const Triple& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+double dot(const Triple& a, const Triple& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
 // de Casteljau on rounded control points.
 Triple point(const Patch& patch, Net net, double u, double v) {
@@ -60,7 +65,8 @@ double curvature(const Patch& patch, const Net& net, double u, double v) {
   return (dot(n, puu) * dot(n, pvv) - dot(n, puv) * dot(n, puv)) / (size * size);
 }
 
-void add_patch(report::FigureRun& figure, const Patch& patch, const symbolic::Numbers& numbers, bool coloured) {
+void add_patch(report::FigureRun& figure, const Patch& patch, const symbolic::Numbers& numbers,
+               bool coloured) {
   Net net;
   for (const auto& row : patch.rows()) {
     net.emplace_back();
@@ -70,8 +76,10 @@ void add_patch(report::FigureRun& figure, const Patch& patch, const symbolic::Nu
   }
   const auto add = [&](double u0, double v0, double u1, double v1, double u2, double v2) {
     report::FigureRun::Facet facet;
-    facet.corners = {point(patch, net, u0, v0), point(patch, net, u1, v1), point(patch, net, u2, v2)};
-    const Triple normal = cross(minus(facet.corners[1], facet.corners[0]), minus(facet.corners[2], facet.corners[0]));
+    facet.corners = {point(patch, net, u0, v0), point(patch, net, u1, v1),
+                     point(patch, net, u2, v2)};
+    const Triple normal = cross(minus(facet.corners[1], facet.corners[0]),
+                                minus(facet.corners[2], facet.corners[0]));
     if (dot(normal, facet.corners[0]) < 0) std::swap(facet.corners[1], facet.corners[2]);
     if (coloured) facet.value = curvature(patch, net, (u0 + u1 + u2) / 3, (v0 + v1 + v2) / 3);
     figure.facets.push_back(facet);

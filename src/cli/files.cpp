@@ -13,7 +13,8 @@ constexpr std::uintmax_t largest_file = 64u << 20;
 
 std::optional<std::string> bytes_of(const fs::path& path) {
   std::error_code error;
-  if (!fs::is_regular_file(path, error) || fs::file_size(path, error) > largest_file) return std::nullopt;
+  if (!fs::is_regular_file(path, error) || fs::file_size(path, error) > largest_file)
+    return std::nullopt;
   std::ifstream in(path, std::ios::binary);
   if (!in) return std::nullopt;
   std::ostringstream all;
@@ -42,7 +43,8 @@ claims::Opener opener_beside(const fs::path& file) {
   return [folder](const std::string& name) -> std::shared_ptr<const text::Source> {
     std::error_code error;
     const fs::path path = fs::weakly_canonical(folder / name, error);
-    const auto [end, rest] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
+    const auto [end, rest] =
+        std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
     if (error || end != folder.end()) return nullptr;
     auto bytes = bytes_of(path);
     if (!bytes) return nullptr;
@@ -59,7 +61,8 @@ std::vector<fs::path> seam_files(const std::vector<std::string>& arguments) {
     }
     std::vector<fs::path> inside;
     for (const auto& entry : fs::recursive_directory_iterator(argument))
-      if (entry.is_regular_file() && entry.path().extension() == ".seam") inside.push_back(entry.path());
+      if (entry.is_regular_file() && entry.path().extension() == ".seam")
+        inside.push_back(entry.path());
     if (inside.empty()) throw Failure{missing_input, "no .seam file in '" + argument + "'\n"};
     std::ranges::sort(inside);
     files.insert(files.end(), inside.begin(), inside.end());
@@ -74,11 +77,14 @@ claims::File parsed(const fs::path& path) {
 }
 
 claims::Meaning meant(const fs::path& path) {
-  // What was read is given meaning although other parts are wrong, so that all errors are told at once.
+  // What was read is given meaning although other parts are wrong, so that all errors are told
+  // at once.
   claims::Parsed result = claims::parse(open(path));
   claims::Meaning meaning = claims::mean(result.file, opener_beside(path));
   result.errors.insert(result.errors.end(), meaning.errors.begin(), meaning.errors.end());
-  std::ranges::stable_sort(result.errors, [](const auto& a, const auto& b) { return a.where.begin < b.where.begin; });
+  std::ranges::stable_sort(result.errors, [](const auto& a, const auto& b) {
+    return a.where.begin < b.where.begin;
+  });
   if (!result.errors.empty()) throw Failure{bad_file, rendered(result.errors)};
   return meaning;
 }

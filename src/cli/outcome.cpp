@@ -33,11 +33,21 @@ class Formulas {
     for (const Term operand : node.operands) operands.push_back((*this)(operand));
     Formula result = 0;
     switch (node.kind) {
-      case Node::Kind::constant: result = Formula(exact::Rational(node.text)); break;
-      case Node::Kind::symbol: result = Formula::symbol(node.text); break;
-      case Node::Kind::sum: result = symbolic::sum(std::move(operands)); break;
-      case Node::Kind::product: result = symbolic::product(std::move(operands)); break;
-      case Node::Kind::power: result = symbolic::power(operands[0], node.exponent); break;
+      case Node::Kind::constant:
+        result = Formula(exact::Rational(node.text));
+        break;
+      case Node::Kind::symbol:
+        result = Formula::symbol(node.text);
+        break;
+      case Node::Kind::sum:
+        result = symbolic::sum(std::move(operands));
+        break;
+      case Node::Kind::product:
+        result = symbolic::product(std::move(operands));
+        break;
+      case Node::Kind::power:
+        result = symbolic::power(operands[0], node.exponent);
+        break;
     }
     done_.emplace(term, result);
     return result;
@@ -58,7 +68,8 @@ std::string readable(std::string text) {
 std::string point_text(const certificate::Point& point, Formulas& formulas) {
   std::string result;
   for (std::size_t i = 0; i < point.variables.size(); ++i)
-    result += (i == 0 ? "" : ", ") + point.variables[i] + " = " + symbolic::text(formulas(point.values[i]), 60);
+    result += (i == 0 ? "" : ", ") + point.variables[i] + " = " +
+              symbolic::text(formulas(point.values[i]), 60);
   return readable(result);
 }
 
@@ -81,56 +92,68 @@ Summary summary_of(const certificate::Obligation& obligation, const certificate:
   if (const auto* nothing = std::get_if<certificate::Nothing>(&proof))
     return {"", nothing->reason + ": " + nothing->detail};
   if (std::holds_alternative<certificate::Computation>(proof)) {
-    if (std::holds_alternative<certificate::Zero>(obligation)) return {"normal form", "the normal form is 0"};
-    if (std::holds_alternative<certificate::Sign>(obligation)) return {"enclosure", "the number is computed"};
+    if (std::holds_alternative<certificate::Zero>(obligation))
+      return {"normal form", "the normal form is 0"};
+    if (std::holds_alternative<certificate::Sign>(obligation))
+      return {"enclosure", "the number is computed"};
     return {"count", "counted"};
   }
   if (const auto* pieces = std::get_if<certificate::Pieces>(&proof)) {
     const auto leaves = std::ranges::count_if(
         pieces->steps, [](const auto& s) { return s.kind != certificate::Step::Kind::split; });
     const std::string square = pieces->square >= 0 ? "a square factor taken out; " : "";
-    return {"subdivision", square + "subdivision, " + std::to_string(leaves) + (leaves == 1 ? " piece" : " pieces")};
+    return {"subdivision", square + "subdivision, " + std::to_string(leaves) +
+                               (leaves == 1 ? " piece" : " pieces")};
   }
   if (const auto* witness = std::get_if<certificate::Witness>(&proof))
     return {"witness", "witness " + point_text(witness->point, formulas)};
-  if (std::holds_alternative<certificate::Roots>(proof)) return {"roots", "greatest common divisor and its roots"};
+  if (std::holds_alternative<certificate::Roots>(proof))
+    return {"roots", "greatest common divisor and its roots"};
   return {"witness", "a wrong solution"};
 }
 
-// What refutes: the point of the first obligation that fails by one, and the relation that holds there instead.
+// What refutes: the point of the first obligation that fails by one, and the relation that
+// holds there instead.
 std::string witness_of(const Statement& statement, const Evidence& evidence,
                        const check::Judgement& judgement, const claims::Exported& exported,
-                       Formulas& formulas) {
+                       Formulas& formulas, const NormalForm& normal_form) {
+  // Numbers that the evidence brings along are unknown to the file.
+  const auto number_text = [&](const Formula& f, std::size_t most) {
+    const bool known = evidence.generators.empty() && symbolic::is_number(f);
+    return readable(symbolic::text(known ? normal_form(f) : f, most));
+  };
   for (std::size_t i = 0; i < evidence.proofs.size(); ++i) {
     if (judgement.findings[i].kind != check::Finding::Kind::fails) continue;
     if (const auto* wrong = std::get_if<certificate::WrongSolution>(&evidence.proofs[i])) {
-      const std::string value = readable(symbolic::text(formulas(wrong->value), 200));
+      const std::string value = number_text(formulas(wrong->value), 200);
       return wrong->claimed < 0 ? value + " is a solution too" : value + " is no solution";
     }
     if (const auto* witness = std::get_if<certificate::Witness>(&evidence.proofs[i])) {
       const auto* sign = std::get_if<certificate::Sign>(&statement.obligations[i]);
-      const Formula formula = formulas(sign ? sign->formula : std::get<certificate::Zero>(statement.obligations[i]).formula);
+      const Formula formula = formulas(
+          sign ? sign->formula : std::get<certificate::Zero>(statement.obligations[i]).formula);
       std::map<std::string, Formula> values;
       for (std::size_t k = 0; k < witness->point.variables.size(); ++k)
         values.emplace(witness->point.variables[k], formulas(witness->point.values[k]));
-      std::string value = symbolic::text(symbolic::subst(formula, values), 60);
+      std::string value = number_text(symbolic::subst(formula, values), 60);
       if (value.ends_with("...")) value = "the difference";
       const std::string there = point_text(witness->point, formulas);
       const std::string about = exported.about[i].empty() ? "" : " (" + exported.about[i] + ")";
-      return (there.empty() ? "" : there + ": ") + readable(value) + " " +
+      return (there.empty() ? "" : there + ": ") + value + " " +
              (sign ? negated_sign(sign->relation) : "!= 0") + about;
     }
   }
   for (std::size_t i = 0; i < judgement.findings.size(); ++i)
     if (judgement.findings[i].kind == check::Finding::Kind::fails)
-      return "not: " + readable(exported.text[i]) + (exported.about[i].empty() ? "" : " (" + exported.about[i] + ")");
+      return "not: " + readable(exported.text[i]) +
+             (exported.about[i].empty() ? "" : " (" + exported.about[i] + ")");
   return "sizes or shapes differ";
 }
 
 }  // namespace
 
 Decided decide(const claims::Lowered& lowered, const claims::Expression& statement,
-               const prove::Budget& budget) {
+               const prove::Budget& budget, const NormalForm& normal_form) {
   Decided result;
   report::Outcome& outcome = result.outcome;
   outcome.text = claims::format(statement);
@@ -159,31 +182,34 @@ Decided decide(const claims::Lowered& lowered, const claims::Expression& stateme
     run.status = static_cast<report::ObligationRun::Status>(finding.kind);
     run.evidence = summary.line;
     outcome.obligations.push_back(std::move(run));
-    if (!summary.method.empty() && std::ranges::find(outcome.method, summary.method) == outcome.method.end())
+    if (!summary.method.empty() &&
+        std::ranges::find(outcome.method, summary.method) == outcome.method.end())
       outcome.method.push_back(summary.method);
     const bool offered = !std::holds_alternative<certificate::Nothing>(proof);
-    if (offered && finding.kind == check::Finding::Kind::open && !finding.reason.starts_with("effort") &&
-        outcome.alarm.empty())
+    if (offered && finding.kind == check::Finding::Kind::open &&
+        !finding.reason.starts_with("effort") && outcome.alarm.empty())
       outcome.alarm = run.kind + ": " + finding.reason;
   }
   if (outcome.verdict == Verdict::refuted)
-    outcome.witness = witness_of(claimed, result.evidence, judgement, *lowered.exported, formulas);
+    outcome.witness = witness_of(claimed, result.evidence, judgement, *lowered.exported,
+                                 formulas, normal_form);
   if (outcome.verdict != Verdict::undecided) return result;
 
-  outcome.reason = "effort";
-  outcome.detail = judgement.reason;
-  if (judgement.reason.starts_with("degenerate")) {
-    outcome.reason = "degenerate";
-    outcome.detail = "a formula of the claim is not defined everywhere that the claim looks";
+  // The prover says best why it found nothing; else a guard failed, or the checker gave up.
+  for (std::size_t i = 0; i < result.evidence.proofs.size(); ++i) {
+    const auto* nothing = std::get_if<certificate::Nothing>(&result.evidence.proofs[i]);
+    if (!nothing || nothing->reason.empty() ||
+        judgement.findings[i].kind != check::Finding::Kind::open)
+      continue;
+    outcome.reason = nothing->reason;
+    outcome.detail = nothing->detail;
     return result;
   }
-  for (std::size_t i = 0; i < result.evidence.proofs.size(); ++i)
-    if (const auto* nothing = std::get_if<certificate::Nothing>(&result.evidence.proofs[i]);
-        nothing && judgement.findings[i].kind == check::Finding::Kind::open && !nothing->reason.empty()) {
-      outcome.reason = nothing->reason;
-      outcome.detail = nothing->detail;
-      break;
-    }
+  const bool undefined = judgement.reason.starts_with("degenerate");
+  outcome.reason = undefined ? "degenerate" : "effort";
+  outcome.detail = undefined
+                       ? "a formula of the claim is not defined everywhere that the claim looks"
+                       : judgement.reason;
   return result;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "certificate/evidence.h"
@@ -16,8 +17,12 @@ struct Decided {
   certificate::Evidence evidence;
 };
 
+/// The normal form of a number of the file, for messages. Called from several threads.
+using NormalForm = std::function<symbolic::Formula(const symbolic::Formula&)>;
+
 /// Searches for evidence and hands it, with the statement, to the checker; the verdict is the
 /// checker's. `alarm` is set where evidence was offered that the checker did not accept.
-Decided decide(const claims::Lowered&, const claims::Expression& statement, const prove::Budget&);
+Decided decide(const claims::Lowered&, const claims::Expression& statement,
+               const prove::Budget&, const NormalForm&);
 
 }  // namespace seam::cli

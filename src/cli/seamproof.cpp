@@ -11,7 +11,10 @@ using namespace seam::cli;
 namespace {
 
 int run(int argc, char** argv) {
-  CLI::App app("Reads the mathematics of a paper and says of every claim: proven, refuted, conditional, undecided.", "seamproof");
+  CLI::App app(
+      "Reads the mathematics of a paper and says of every claim: proven, refuted, conditional, "
+      "undecided.",
+      "seamproof");
   app.set_version_flag("--version", std::string("seamproof ") + SEAMPROOF_VERSION);
   app.require_subcommand(1);
   app.get_formatter()->column_width(34);
@@ -25,20 +28,30 @@ int run(int argc, char** argv) {
   bool in_place = false;
 
   const auto add_search = [&](CLI::App* command) {
-    command->add_option("--timeout", options.timeout, "seconds a claim may take")->check(CLI::PositiveNumber)->capture_default_str();
-    command->add_option("--effort", options.effort, "pieces a subdivision may have")->check(CLI::PositiveNumber)->capture_default_str();
-    command->add_option("--jobs", options.jobs, "claims at work at the same time")->check(CLI::Range(1, 256))->capture_default_str();
+    command->add_option("--timeout", options.timeout, "seconds a claim may take")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    command->add_option("--effort", options.effort, "pieces a subdivision may have")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    command->add_option("--jobs", options.jobs, "claims at work at the same time")
+        ->check(CLI::Range(1, 256))
+        ->capture_default_str();
   };
 
   CLI::App* verify = app.add_subcommand("verify", "decide every claim of the files");
   verify->add_option("file", files, ".seam files, or folders of them")->required();
-  verify->add_option("--claim", options.claims, "only claims with this id, or matching this glob");
-  verify->add_option("--out", outputs.out, "folder for report.tex, results.json and certificates/");
+  verify->add_option("--claim", options.claims,
+                     "only claims with this id, or matching this glob");
+  verify->add_option("--out", outputs.out,
+                     "folder for report.tex, results.json and certificates/");
   verify->add_option("--json", outputs.json, "the results as JSON; - for standard output");
   verify->add_flag("--pdf", outputs.pdf, "typeset the report (needs --out and pdflatex)");
-  verify->add_flag("--allow-undecided", outputs.allow_undecided, "undecided claims are no failure");
+  verify->add_flag("--allow-undecided", outputs.allow_undecided,
+                   "undecided claims are no failure");
   verify->add_flag("--quiet", outputs.quiet, "only the exit status");
-  verify->add_option("--color", outputs.colour, "auto, always, never")->check(CLI::IsMember({"auto", "always", "never"}));
+  verify->add_option("--color", outputs.colour, "auto, always, never")
+      ->check(CLI::IsMember({"auto", "always", "never"}));
   add_search(verify);
 
   CLI::App* report = app.add_subcommand("report", "verify, and write the report");
@@ -50,11 +63,15 @@ int run(int argc, char** argv) {
   CLI::App* ask_command = app.add_subcommand("ask", "the certified value of an expression");
   ask_command->add_option("file", file, "a .seam file, for its definitions")->required();
   ask_command->add_option("expression", expression, "for example 'max(gauss(S))'")->required();
-  ask_command->add_option("--digits", digits, "digits after the point")->check(CLI::Range(0, 10000))->capture_default_str();
+  ask_command->add_option("--digits", digits, "digits after the point")
+      ->check(CLI::Range(0, 10000))
+      ->capture_default_str();
   add_search(ask_command);
 
-  CLI::App* explain_command = app.add_subcommand("explain", "what a claim was turned into and how it was decided");
-  CLI::App* trust_command = app.add_subcommand("trust", "what has to be believed for a verdict");
+  CLI::App* explain_command =
+      app.add_subcommand("explain", "what a claim was turned into and how it was decided");
+  CLI::App* trust_command =
+      app.add_subcommand("trust", "what has to be believed for a verdict");
   for (CLI::App* command : {explain_command, trust_command}) {
     command->add_option("file", file, "a .seam file")->required();
     command->add_option("id", id, "the id of a claim")->required();
@@ -63,7 +80,8 @@ int run(int argc, char** argv) {
 
   CLI::App* list = app.add_subcommand("list", "the ids of all claims");
   list->add_option("file", files, ".seam files, or folders of them")->required();
-  CLI::App* obligations = app.add_subcommand("obligations", "digests of what every claim says, to compare with seamproof-check");
+  CLI::App* obligations = app.add_subcommand(
+      "obligations", "digests of what every claim says, to compare with seamproof-check");
   obligations->add_option("file", files, ".seam files, or folders of them")->required();
   CLI::App* format = app.add_subcommand("format", "canonical layout, on standard output");
   format->add_option("file", files, ".seam files, or folders of them")->required();

@@ -172,6 +172,7 @@ std::string line(const Judged& judged, Answer answer, const std::string& reason)
 
 int judge_all(const std::set<std::filesystem::path>& files) {
   std::vector<Judged> all;
+  all.reserve(files.size());
   for (const auto& file : files) all.push_back(judged(file));
   const Established established = establish(all);
   std::map<Answer, int> counts;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <mutex>
 
 #include "certificate/sha256.h"
 #include "claims/latex.h"
@@ -34,8 +35,15 @@ struct Task {
   double seconds = 0;
 };
 
-void run(std::vector<Task>& tasks, const VerifyOptions& options, const Progress& progress) {
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, std::max(1, options.jobs));
+void run(std::vector<Task>& tasks, const claims::Meaning& meaning, const VerifyOptions& options,
+         const Progress& progress) {
+  std::mutex numbers;
+  const NormalForm normal_form = [&](const symbolic::Formula& f) {
+    const std::lock_guard lock(numbers);
+    return meaning.numbers->normal_form(f);
+  };
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  std::max(1, options.jobs));
   std::atomic<int> done = 0;
   const int all = static_cast<int>(tasks.size());
   tbb::parallel_for(std::size_t{0}, tasks.size(), [&](std::size_t i) {
@@ -43,9 +51,11 @@ void run(std::vector<Task>& tasks, const VerifyOptions& options, const Progress&
     const auto start = std::chrono::steady_clock::now();
     prove::Budget budget;
     budget.effort = options.effort;
-    budget.deadline = start + std::chrono::milliseconds(static_cast<long>(options.timeout * 1000));
-    task.decided = decide(*task.lowered, *task.statement, budget);
-    task.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    budget.deadline =
+        start + std::chrono::milliseconds(static_cast<long>(options.timeout * 1000));
+    task.decided = decide(*task.lowered, *task.statement, budget, normal_form);
+    task.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     progress(++done, all, task.id);
   });
 }
@@ -58,14 +68,16 @@ void ask_for_second_opinions(std::vector<Task>& tasks) {
     report::Outcome& outcome = task.decided.outcome;
     for (std::size_t i = 0; i < statement.obligations.size() && outcome.alarm.empty(); ++i) {
       if (outcome.obligations[i].status != report::ObligationRun::Status::holds) continue;
-      if (const auto contradiction = symbolic::contradiction(statement, statement.obligations[i]))
+      if (const auto contradiction =
+              symbolic::contradiction(statement, statement.obligations[i]))
         outcome.alarm = outcome.obligations[i].kind + ": " + *contradiction;
     }
   }
 }
 
 // The claims of a meaning in file order, cells of tables among them.
-void each_claim(const claims::Meaning& meaning, const std::function<void(const MeantClaim&)>& f) {
+void each_claim(const claims::Meaning& meaning,
+                const std::function<void(const MeantClaim&)>& f) {
   for (const auto& item : meaning.items) {
     if (const auto* claim = std::get_if<MeantClaim>(&item)) f(*claim);
     if (const auto* table = std::get_if<claims::MeantTable>(&item))
@@ -74,7 +86,8 @@ void each_claim(const claims::Meaning& meaning, const std::function<void(const M
   }
 }
 
-std::vector<Task> tasks_of(const claims::Meaning& meaning, const std::vector<std::string>& patterns) {
+std::vector<Task> tasks_of(const claims::Meaning& meaning,
+                           const std::vector<std::string>& patterns) {
   std::vector<Task> tasks;
   each_claim(meaning, [&](const MeantClaim& claim) {
     if (!selected(claim.claim.id, patterns)) return;
@@ -83,14 +96,17 @@ std::vector<Task> tasks_of(const claims::Meaning& meaning, const std::vector<std
       tasks.push_back({claim.claim.id, &*claim.corrected, &*claim.claim.corrected, {}, 0});
   });
   for (const auto& item : meaning.items)
-    if (const auto* ask = std::get_if<claims::MeantAsk>(&item); ask && selected(ask->id, patterns))
+    if (const auto* ask = std::get_if<claims::MeantAsk>(&item);
+        ask && selected(ask->id, patterns))
       tasks.push_back({ask->id, &ask->statement, &ask->expression, {}, 0});
   return tasks;
 }
 
 // A proven claim that rests on one that is not proven is conditional. `using` has no circles.
-void mark_conditional(const std::string& id, const std::map<std::string, std::vector<std::string>>& uses,
-                      std::map<std::string, Verdict>& verdicts, std::map<std::string, std::string>& because) {
+void mark_conditional(const std::string& id,
+                      const std::map<std::string, std::vector<std::string>>& uses,
+                      std::map<std::string, Verdict>& verdicts,
+                      std::map<std::string, std::string>& because) {
   const auto own = uses.find(id);
   if (own == uses.end() || because.contains(id)) return;
   because[id];
@@ -114,7 +130,9 @@ class Assembly {
  public:
   Assembly(std::vector<Task>& tasks, const claims::Meaning& meaning) : tasks_(tasks) {
     std::map<std::string, std::vector<std::string>> uses;
-    each_claim(meaning, [&](const MeantClaim& claim) { uses[claim.claim.id] = claim.claim.using_claims; });
+    each_claim(meaning, [&](const MeantClaim& claim) {
+      uses[claim.claim.id] = claim.claim.using_claims;
+    });
     for (const Task& task : tasks) verdicts_.emplace(task.id, task.decided.outcome.verdict);
     for (const Task& task : tasks) mark_conditional(task.id, uses, verdicts_, because_);
   }
@@ -137,8 +155,16 @@ class Assembly {
   }
 
   report::AskRun ask(const claims::MeantAsk& meant) {
-    report::AskRun run{meant.id, claims::latex(meant.expression), claims::format(meant.expression), {}, {}, {}, {}, 0};
-    const auto task = std::ranges::find_if(tasks_, [&](const Task& t) { return t.lowered == &meant.statement; });
+    report::AskRun run{meant.id,
+                       claims::latex(meant.expression),
+                       claims::format(meant.expression),
+                       {},
+                       {},
+                       {},
+                       {},
+                       0};
+    const auto task = std::ranges::find_if(
+        tasks_, [&](const Task& t) { return t.lowered == &meant.statement; });
     if (task == tasks_.end()) return run;
     run.seconds = task->seconds;
     run.detail = task->decided.outcome.detail;
@@ -154,7 +180,8 @@ class Assembly {
   std::map<std::string, Certificate> certificates;
 
  private:
-  report::Outcome outcome(report::ClaimRun& run, const claims::Lowered& lowered, bool correction) {
+  report::Outcome outcome(report::ClaimRun& run, const claims::Lowered& lowered,
+                          bool correction) {
     Task& task = tasks_[next_++];
     report::Outcome result = task.decided.outcome;
     run.seconds += task.seconds;
@@ -165,8 +192,12 @@ class Assembly {
     }
     if (lowered.exported) {
       result.certificate = file_name(run.id, correction);
-      certificates[result.certificate] = {run.id, correction, result.verdict, run.using_claims,
-                                          lowered.exported->statement, task.decided.evidence};
+      certificates[result.certificate] = {run.id,
+                                          correction,
+                                          result.verdict,
+                                          run.using_claims,
+                                          lowered.exported->statement,
+                                          task.decided.evidence};
     }
     return result;
   }
@@ -185,10 +216,11 @@ bool selected(const std::string& id, const std::vector<std::string>& patterns) {
          });
 }
 
-Verified verify(const std::filesystem::path& file, const VerifyOptions& options, const Progress& progress) {
+Verified verify(const std::filesystem::path& file, const VerifyOptions& options,
+                const Progress& progress) {
   const claims::Meaning meaning = meant(file);
   std::vector<Task> tasks = tasks_of(meaning, options.claims);
-  run(tasks, options, progress);
+  run(tasks, meaning, options, progress);
   ask_for_second_opinions(tasks);
 
   Assembly assembly(tasks, meaning);
@@ -208,8 +240,8 @@ Verified verify(const std::filesystem::path& file, const VerifyOptions& options,
     } else if (const auto* claim = std::get_if<MeantClaim>(&item)) {
       if (auto run = assembly.claim(*claim)) result.run.items.push_back(std::move(*run));
     } else if (const auto* table = std::get_if<claims::MeantTable>(&item)) {
-      report::TableRun run{table->heading.id, table->heading.title, table->heading.at, table->labels,
-                           table->comments, {}};
+      report::TableRun run{table->heading.id, table->heading.title, table->heading.at,
+                           table->labels,     table->comments,      {}};
       for (const auto& row : table->rows) {
         run.rows.push_back({row.label, claims::latex(row.value), {}, {}});
         for (const MeantClaim& cell : row.cells) {

@@ -25,7 +25,8 @@ struct Verified {
   std::map<std::string, certificate::Certificate> certificates;
 };
 
-/// `progress` is told, from any thread, how many statements are done, of how many, and the id of the last.
+/// `progress` is told, from any thread, how many statements are done, of how many, and the id
+/// of the last.
 using Progress = std::function<void(int done, int all, const std::string& id)>;
 
 /// The same result for any number of jobs. Throws `Failure` for a file with errors.

@@ -88,7 +88,9 @@ class Search {
     }
     if (free_.empty()) return std::nullopt;
     const auto at = bernstein::critical_point(sketch_, nullptr, start, directions_);
-    const auto is_share = [](double x) { return std::isfinite(x) && x > -1e-9 && x < 1 + 1e-9; };
+    const auto is_share = [](double x) {
+      return std::isfinite(x) && x > -1e-9 && x < 1 + 1e-9;
+    };
     if (at.empty() || !std::ranges::all_of(at, is_share)) return std::nullopt;
     std::vector<long> key;
     for (const double x : at) key.push_back(std::lround(x * 1e9));

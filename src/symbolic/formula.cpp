@@ -62,14 +62,17 @@ Formula Formula::known(Formula value, std::vector<Fact> facts) {
   node->kind = Kind::known;
   node->hash = mix(3, value.node_->hash);
   node->depth = value.node_->depth + 1;
-  for (const Fact& fact : facts) node->depth = std::max(node->depth, fact.formula.node_->depth + 1);
+  for (const Fact& fact : facts)
+    node->depth = std::max(node->depth, fact.formula.node_->depth + 1);
   if (node->depth > max_depth) throw TooDeep();
   node->operands.push_back(std::move(value));
   node->facts = std::move(facts);
   return Formula(std::move(node));
 }
 
-Formula::Kind Formula::kind() const { return node_->kind; }
+Formula::Kind Formula::kind() const {
+  return node_->kind;
+}
 const Rational& Formula::value() const {
   require(kind() == Kind::constant, "Formula::value: not a constant");
   return node_->value;
@@ -78,11 +81,19 @@ const std::string& Formula::name() const {
   require(kind() == Kind::symbol, "Formula::name: not a symbol");
   return node_->name;
 }
-const std::vector<Formula>& Formula::operands() const { return node_->operands; }
-int Formula::exponent() const { return node_->exponent; }
-const std::vector<Fact>& Formula::facts() const { return node_->facts; }
+const std::vector<Formula>& Formula::operands() const {
+  return node_->operands;
+}
+int Formula::exponent() const {
+  return node_->exponent;
+}
+const std::vector<Fact>& Formula::facts() const {
+  return node_->facts;
+}
 
-bool Formula::is(long value) const { return is_constant() && node_->value == value; }
+bool Formula::is(long value) const {
+  return is_constant() && node_->value == value;
+}
 
 bool Formula::same(const Formula& other) const {
   if (node_ == other.node_) return true;
@@ -168,9 +179,15 @@ Formula power(const Formula& base, int exponent) {
   return Formula(std::move(node));
 }
 
-Formula operator+(const Formula& a, const Formula& b) { return sum({a, b}); }
-Formula operator*(const Formula& a, const Formula& b) { return product({a, b}); }
-Formula operator-(const Formula& a) { return product({Formula(-1), a}); }
+Formula operator+(const Formula& a, const Formula& b) {
+  return sum({a, b});
+}
+Formula operator*(const Formula& a, const Formula& b) {
+  return product({a, b});
+}
+Formula operator-(const Formula& a) {
+  return product({Formula(-1), a});
+}
 Formula operator-(const Formula& a, const Formula& b) {
   if (a.node_ == b.node_) return {0};
   return sum({a, -b});
@@ -254,7 +271,9 @@ std::set<std::string> symbols(const Formula& f) {
   return found;
 }
 
-bool is_generator(const std::string& name) { return name.find('(') != std::string::npos; }
+bool is_generator(const std::string& name) {
+  return name.find('(') != std::string::npos;
+}
 
 std::set<std::string> variables(const Formula& f) {
   std::set<std::string> found = symbols(f);
@@ -262,6 +281,8 @@ std::set<std::string> variables(const Formula& f) {
   return found;
 }
 
-bool is_number(const Formula& f) { return variables(f).empty(); }
+bool is_number(const Formula& f) {
+  return variables(f).empty();
+}
 
 }  // namespace seam::symbolic

@@ -20,10 +20,12 @@ struct TooDeep : std::runtime_error {
   TooDeep() : std::runtime_error("a formula is nested too deeply") {}
 };
 
-/// A polynomial expression in named symbols (variables, parameters, generators), as it was written: an
-/// immutable shared tree, never expanded. Building costs O(1); only constants are folded.
+/// A polynomial expression in named symbols (variables, parameters, generators), as it was
+/// written: an immutable shared tree, never expanded. Building costs O(1); only constants are
+/// folded.
 ///
-/// The names of generators (numbers such as `sqrt(5)`) hold a parenthesis; those of variables do not.
+/// The names of generators (numbers such as `sqrt(5)`) hold a parenthesis; those of variables
+/// do not.
 class Formula {
  public:
   enum class Kind { constant, symbol, sum, product, power, known };
@@ -37,11 +39,12 @@ class Formula {
   static Formula known(Formula value, std::vector<Fact> facts);
 
   Kind kind() const;
-  const exact::Rational& value() const;           ///< of a constant
-  const std::string& name() const;                ///< of a symbol
-  const std::vector<Formula>& operands() const;   ///< sum, product; power: the base; known: the value
-  int exponent() const;                           ///< of a power, >= 0
-  const std::vector<Fact>& facts() const;         ///< of a known value
+  const exact::Rational& value() const;  ///< of a constant
+  const std::string& name() const;       ///< of a symbol
+  const std::vector<Formula>& operands()
+      const;                               ///< sum, product; power: the base; known: the value
+  int exponent() const;                    ///< of a power, >= 0
+  const std::vector<Fact>& facts() const;  ///< of a known value
 
   bool is_constant() const { return kind() == Kind::constant; }
   bool is(long value) const;
@@ -79,12 +82,12 @@ Formula subst(const Formula&, const std::map<std::string, Formula>&);
 
 /// The symbols that occur, generators included; those in facts do not count.
 std::set<std::string> symbols(const Formula&);
-std::set<std::string> variables(const Formula&);   ///< symbols that are not generators
-bool is_number(const Formula&);                    ///< no variables
+std::set<std::string> variables(const Formula&);  ///< symbols that are not generators
+bool is_number(const Formula&);                   ///< no variables
 bool is_generator(const std::string& name);
 
-/// Infix text, for messages: `3*u^2 + sqrt(5)*v`; past `most` bytes it breaks off with `...` (a shared
-/// formula may be far longer as text).
+/// Infix text, for messages: `3*u^2 + sqrt(5)*v`; past `most` bytes it breaks off with `...` (a
+/// shared formula may be far longer as text).
 std::string text(const Formula&, std::size_t most = 100'000);
 
 /// f relation 0.

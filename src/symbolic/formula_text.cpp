@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "symbolic/formula.h"
 
-// Ends soon although a shared formula may have exponentially many occurrences: nothing is written
-// past the bound.
+// Ends soon although a shared formula may have exponentially many occurrences: nothing is
+// written past the bound.
 
 namespace seam::symbolic {
 namespace {
@@ -21,15 +21,20 @@ class Writer {
         const bool plain = digits.find_first_of("-/") == std::string::npos;
         return wrapped(!plain && around != Around::sum, [&] { text_ += digits; });
       }
-      case Formula::Kind::symbol: text_ += f.name(); return;
-      case Formula::Kind::known: return write(f.operands()[0], around);
+      case Formula::Kind::symbol:
+        text_ += f.name();
+        return;
+      case Formula::Kind::known:
+        return write(f.operands()[0], around);
       case Formula::Kind::power:
         return wrapped(around == Around::power, [&] {
           write(f.operands()[0], Around::power);
           text_ += "^" + std::to_string(f.exponent());
         });
-      case Formula::Kind::product: return wrapped(around == Around::power, [&] { write_product(f); });
-      case Formula::Kind::sum: return wrapped(around != Around::sum, [&] { write_sum(f); });
+      case Formula::Kind::product:
+        return wrapped(around == Around::power, [&] { write_product(f); });
+      case Formula::Kind::sum:
+        return wrapped(around != Around::sum, [&] { write_sum(f); });
     }
   }
 

@@ -23,12 +23,13 @@ struct NumberError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The real algebraic numbers of one file: a growing tower of real fields over Q, and exact decisions about
-/// formulas without variables ("number formulas").
+/// The real algebraic numbers of one file: a growing tower of real fields over Q, and exact
+/// decisions about formulas without variables ("number formulas").
 ///
-/// The tower is always a field: before a root is adjoined, its polynomial is factored over the field so far,
-/// and a root that lies in the field already is expressed in it. So a number is 0 exactly when its
-/// normal form is. Results are `known` formulas whose facts say what they are. Deterministic.
+/// The tower is always a field: before a root is adjoined, its polynomial is factored over the
+/// field so far, and a root that lies in the field already is expressed in it. So a number is 0
+/// exactly when its normal form is. Results are `known` formulas whose facts say what they are.
+/// Deterministic.
 class Numbers {
  public:
   Numbers();
@@ -41,8 +42,8 @@ class Numbers {
   Formula sqrt(const Formula& radicand) { return nth_root(radicand, 2); }
 
   /// The only real root in [low, high] of a polynomial in `unknown` with number coefficients.
-  Formula root(const Formula& polynomial, const std::string& unknown, const exact::Rational& low,
-               const exact::Rational& high);
+  Formula root(const Formula& polynomial, const std::string& unknown,
+               const exact::Rational& low, const exact::Rational& high);
 
   /// 1/x as a formula that is a polynomial in the generators; fact: x * inverse - 1 = 0.
   Formula inverse(const Formula& x);
@@ -52,19 +53,22 @@ class Numbers {
   bool equal(const Point& a, const Point& b) const;
   std::optional<exact::Rational> rational(const Formula& number) const;  ///< if it is one
 
-  /// The same number, reduced to normal form in the generators (a polynomial with rational coefficients).
+  /// The same number, reduced to normal form in the generators (a polynomial with rational
+  /// coefficients).
   Formula normal_form(const Formula& number) const;
 
   double approximate(const Formula& number) const;
   /// [low, high] around the number, high - low <= width.
-  std::pair<exact::Rational, exact::Rational> enclosure(const Formula& number, const exact::Rational& width) const;
+  std::pair<exact::Rational, exact::Rational> enclosure(const Formula& number,
+                                                        const exact::Rational& width) const;
   /// Correctly rounded to `digits` after the point: `0.618034`.
   std::string decimal(const Formula& number, int digits) const;
 
   struct Generator {
-    std::string name;            ///< `sqrt(5)`, `root(3*g^3 - g - 1)`; unique
-    Formula polynomial;          ///< in Formula::symbol(name), over earlier generators
-    exact::Rational low, high;   ///< holds this root of the polynomial, no other, and not as an end where a sign change could not show it
+    std::string name;           ///< `sqrt(5)`, `root(3*g^3 - g - 1)`; unique
+    Formula polynomial;         ///< in Formula::symbol(name), over earlier generators
+    exact::Rational low, high;  ///< holds this root of the polynomial, no other, and not as an
+                                ///< end where a sign change could not show it
   };
   const std::vector<Generator>& generators() const;
 

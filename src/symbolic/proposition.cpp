@@ -47,7 +47,11 @@ Proposition atom(std::variant<Zero, Sign, Solutions, Gluing, Distinct> statement
   return {Proposition::Kind::atom, std::move(about), {}, std::move(statement)};
 }
 
-Proposition truth() { return all({}); }
-Proposition falsehood() { return any({}); }
+Proposition truth() {
+  return all({});
+}
+Proposition falsehood() {
+  return any({});
+}
 
 }  // namespace seam::symbolic

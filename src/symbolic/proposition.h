@@ -25,8 +25,10 @@ struct Simplex {
 /// [low, high], ends excluded where `open`.
 Simplex interval(const std::string& variable, const Formula& low, const Formula& high,
                  bool open_low = false, bool open_high = false);
-Simplex whole_line_right(const std::string& variable, const Formula& from, bool open);  ///< from .. infinity
-Simplex whole_line_left(const std::string& variable, const Formula& to, bool open);     ///< -infinity .. to
+Simplex whole_line_right(const std::string& variable, const Formula& from,
+                         bool open);  ///< from .. infinity
+Simplex whole_line_left(const std::string& variable, const Formula& to,
+                        bool open);  ///< -infinity .. to
 /// u, v >= 0, u + v <= 1 (and likewise for more variables); `interior`: without the boundary.
 Simplex standard_simplex(const std::vector<std::string>& variables, bool interior = false);
 
@@ -55,8 +57,8 @@ struct Solutions {
   std::string unknown;
   std::vector<std::string> for_all;
   Simplex domain;
-  std::vector<Formula> exact;                                    ///< either these
-  std::vector<std::pair<exact::Rational, exact::Rational>> near; ///< or these
+  std::vector<Formula> exact;                                     ///< either these
+  std::vector<std::pair<exact::Rational, exact::Rational>> near;  ///< or these
 };
 struct Distinct {
   std::vector<Point> tuples;
@@ -75,7 +77,8 @@ struct Proposition {
 Proposition all(std::vector<Proposition> parts, std::string about = {});
 Proposition any(std::vector<Proposition> parts, std::string about = {});
 Proposition negation(Proposition part, std::string about = {});
-Proposition atom(std::variant<Zero, Sign, Solutions, Gluing, Distinct> statement, std::string about = {});
+Proposition atom(std::variant<Zero, Sign, Solutions, Gluing, Distinct> statement,
+                 std::string about = {});
 
 Proposition truth();      ///< all of nothing
 Proposition falsehood();  ///< any of nothing

@@ -6,9 +6,9 @@
 #include <map>
 #include <sstream>
 
-// A third arithmetic beside the prover's and the checker's, on purpose a simple-minded one: every
-// node of the program is evaluated at one point. A slip that prover and checker share
-// (in the reading of a domain, say) shows here if it changes a sign at that point.
+// A third arithmetic beside the prover's and the checker's, on purpose a simple-minded one:
+// every node of the program is evaluated at one point. A slip that prover and checker share (in
+// the reading of a domain, say) shows here if it changes a sign at that point.
 
 namespace seam::symbolic {
 namespace {
@@ -44,8 +44,12 @@ class Evaluation {
     const Node& node = statement_.nodes[term];
     numeric result = 0;
     switch (node.kind) {
-      case Node::Kind::constant: result = numeric(node.text.c_str()); break;
-      case Node::Kind::symbol: result = values_.contains(node.text) ? values_.at(node.text) : numeric(0); break;
+      case Node::Kind::constant:
+        result = numeric(node.text.c_str());
+        break;
+      case Node::Kind::symbol:
+        result = values_.contains(node.text) ? values_.at(node.text) : numeric(0);
+        break;
       case Node::Kind::sum:
         for (const Term operand : node.operands) result += at(operand);
         break;
@@ -53,7 +57,9 @@ class Evaluation {
         result = 1;
         for (const Term operand : node.operands) result *= at(operand);
         break;
-      case Node::Kind::power: result = at(node.operands[0]).power(node.exponent); break;
+      case Node::Kind::power:
+        result = at(node.operands[0]).power(node.exponent);
+        break;
     }
     if (GiNaC::abs(result) > size_) size_ = GiNaC::abs(result);
     done_.emplace(term, result);
@@ -86,12 +92,18 @@ class Evaluation {
 bool agrees(Relation relation, const numeric& value, const numeric& rounding) {
   const bool zero = GiNaC::abs(value) <= rounding;
   switch (relation) {
-    case Relation::positive: return zero || value.is_positive();
-    case Relation::nonnegative: return zero || value.is_positive();
-    case Relation::zero: return zero;
-    case Relation::nonzero: return true;
-    case Relation::nonpositive: return zero || value.is_negative();
-    case Relation::negative: return zero || value.is_negative();
+    case Relation::positive:
+      return zero || value.is_positive();
+    case Relation::nonnegative:
+      return zero || value.is_positive();
+    case Relation::zero:
+      return zero;
+    case Relation::nonzero:
+      return true;
+    case Relation::nonpositive:
+      return zero || value.is_negative();
+    case Relation::negative:
+      return zero || value.is_negative();
   }
   return true;
 }
@@ -106,7 +118,8 @@ void place_inside(const Simplex& simplex, Evaluation& evaluation) {
     for (std::size_t i = 0; i < sum.size(); ++i)
       sum[i] += share * evaluation.at(simplex.corners[corner][i + 1]);
   }
-  for (std::size_t i = 0; i < sum.size(); ++i) evaluation.place(simplex.variables[i], sum[i] / weight);
+  for (std::size_t i = 0; i < sum.size(); ++i)
+    evaluation.place(simplex.variables[i], sum[i] / weight);
 }
 
 std::optional<std::string> objection(Evaluation& evaluation, Term formula, Relation relation) {

@@ -8,10 +8,11 @@
 
 namespace seam::symbolic {
 
-/// What an obligation that was accepted gives at one point of its domain, computed by CLN with 100 digits: a
-/// sentence if that contradicts it, nothing if it agrees or has nothing to say.
+/// What an obligation that was accepted gives at one point of its domain, computed by CLN with
+/// 100 digits: a sentence if that contradicts it, nothing if it agrees or has nothing to say.
 ///
-/// Decides nothing: a contradiction is an alarm, agreement is no proof. Not thread-safe (GiNaC is not).
+/// Decides nothing: a contradiction is an alarm, agreement is no proof. Not thread-safe (GiNaC
+/// is not).
 std::optional<std::string> contradiction(const certificate::Statement&,
                                          const certificate::Obligation&);
 

@@ -49,7 +49,7 @@ std::string render(const Diagnostic& diagnostic) {
   const std::string number = std::to_string(place.line);
 
   const std::string_view line = line_at(source, begin);
-  const std::size_t line_begin = static_cast<std::size_t>(line.data() - source.bytes.data());
+  const auto line_begin = static_cast<std::size_t>(line.data() - source.bytes.data());
   const std::size_t in_line =
       begin < line_begin ? 0 : std::min(begin - line_begin, line.size());
   const std::size_t length = std::max(diagnostic.where.end, begin) - begin;

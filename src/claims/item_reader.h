@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "claims/evaluate.h"
+#include "claims/meaning.h"
+
+namespace seam::claims {
+
+/// Reads the items of a file, one after the other, into a meaning.
+class Reader {
+ public:
+  Reader(Meaning& meaning, const Opener& open)
+      : meaning_(meaning), open_(open), evaluator_(*meaning.numbers) {}
+
+  void read(const File& file) {
+    for (const Item& item : file.items) {
+      items_.push_back(std::make_unique<Item>(item));
+      read(*items_.back());
+    }
+  }
+
+  void check_using();
+  MeantAsk question(const std::string& id, const Expression&, int digits);
+
+ private:
+  void read(const Item& item);
+  void include(const Item& item);
+  void define(const Item& item);
+  void define_param(const Item& item);
+  Value root(const Item& item);
+  void claim(const Item& item);
+  void table(const Item& item);
+  void figure(const Item& item);
+  MeantClaim meant(const Claim& claim, const Scope& scope, text::Span span);
+  Lowered lower(const Expression& statement, const Scope& scope);
+  void report(text::Diagnostic d) { meaning_.errors.push_back(std::move(d)); }
+  void add_id(const std::string& id, const text::Span& where);
+
+  Meaning& meaning_;
+  const Opener& open_;
+  Evaluator evaluator_;
+  std::vector<std::unique_ptr<Item>> items_;  // functions refer to them
+  std::set<std::string> included_;
+  std::map<std::string, text::Span> ids_;
+};
+
+}  // namespace seam::claims

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "claims/item_reader.h"
+
+// A cell of a table is a claim: the expression of its row for the value of its column, compared
+// with what is printed.
+
+namespace seam::claims {
+namespace {
+
+// What may stand in an id; everything else becomes a hyphen.
+std::string slug(const std::string& label) {
+  std::string result;
+  for (const char c : label) {
+    const bool fine = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                      (c >= '0' && c <= '9') || c == '_' || c == '-';
+    if (fine)
+      result += c;
+    else if (!result.empty() && result.back() != '-')
+      result += '-';
+  }
+  while (!result.empty() && result.back() == '-') result.pop_back();
+  return result;
+}
+
+}  // namespace
+
+void Reader::table(const Item& item) {
+  MeantTable result{item.claim, item.comments, item.labels, {}};
+  result.heading.id = item.claim.id.empty() ? item.name : item.claim.id;
+  try {
+    std::vector<Value> columns = {Value{Scalar(0)}};
+    std::string variable;
+    if (!item.columns.empty()) {
+      const Expression& binding = item.columns[0];
+      const auto set = evaluator_.finite_set(binding.children[1], Scope{});
+      if (!set || set->empty()) fail(binding, "a table runs over a finite set");
+      columns = *set;
+      variable = binding.children[0].children[0].text;
+    }
+    if (!item.labels.empty() && item.labels.size() != columns.size())
+      report({item.name_span,
+              "expected " + std::to_string(columns.size()) + " labels, found " +
+                  std::to_string(item.labels.size()),
+              {}});
+    int row_number = 0;
+    for (const Item::Row& row : item.rows) {
+      ++row_number;
+      MeantTable::Row meant_row{row.label, row.value, {}};
+      if (row.printed.size() != columns.size())
+        fail(row.value, "this row has " + std::to_string(row.printed.size()) +
+                            " printed values, expected " + std::to_string(columns.size()));
+      for (std::size_t k = 0; k < columns.size(); ++k) {
+        Scope scope;
+        if (!variable.empty()) scope.values[variable] = columns[k];
+        Claim cell;
+        const std::string row_id = slug(row.label),
+                          column_label = k < item.labels.size() ? slug(item.labels[k]) : "";
+        cell.id = result.heading.id + "." +
+                  (row_id.empty() ? std::to_string(row_number) : row_id) + "." +
+                  (column_label.empty() ? std::to_string(k + 1) : column_label);
+        cell.title = row.label + (k < item.labels.size() ? ", " + item.labels[k] : "");
+        cell.at = item.claim.at;
+        cell.statement = {
+            Expression::Kind::relation, "~", {row.value, row.printed[k]}, row.value.span};
+        if (row.truncated)
+          cell.statement = {Expression::Kind::truncated, {}, {cell.statement}, row.value.span};
+        add_id(cell.id, row.value.span);
+        try {
+          meant_row.cells.push_back(meant(cell, scope, row.value.span));
+        } catch (const Problem& problem) {
+          report(problem.diagnostic);
+        } catch (const Broken&) {
+        }
+      }
+      result.rows.push_back(std::move(meant_row));
+    }
+  } catch (const Problem& problem) {
+    report(problem.diagnostic);
+  } catch (const Broken&) {
+  }
+  meaning_.items.push_back(std::move(result));
+}
+
+}  // namespace seam::claims
