@@ -34,7 +34,7 @@ void trim(Monomial& monomial) {
   while (!monomial.empty() && monomial.back() == 0) monomial.pop_back();
 }
 
-void add_term(Polynomial& to, Monomial monomial, Integer coefficient) {
+void add_term(Polynomial& to, Monomial monomial, const Integer& coefficient) {
   if (coefficient == 0) return;
   const auto [place, is_new] = to.terms.try_emplace(std::move(monomial));
   place->second += coefficient;

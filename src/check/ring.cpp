@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later OR BSL-1.0
 #include "check/ring.h"
 
-#include <iterator>
-#include <ranges>
 #include <utility>
 
 // The rule of a symbol g says  g^n = row 0, of lower degree in g. Rewriting by it
@@ -42,7 +40,8 @@ const Polynomial& Ring::row(Rule& rule, int e) {
 }
 
 Polynomial Ring::reduce(Polynomial p) {
-  for (Rule& rule : rules_ | std::views::reverse) {
+  for (std::size_t i = rules_.size(); i-- > 0;) {
+    Rule& rule = rules_[i];
     meter_->charge(p.terms.size());
     if (degree(p, rule.index) < rule.degree) continue;
     Polynomial result;

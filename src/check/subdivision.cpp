@@ -2,7 +2,6 @@
 #include "check/subdivision.h"
 
 #include <memory>
-#include <ranges>
 #include <utility>
 
 #include "check/piece.h"
@@ -86,12 +85,10 @@ void verify(Context& context, const Region& region, const Polynomial& formula,
         demand(index < region.factors.size(), "a split of a factor that is none");
         Coordinates weights =
             split_weights(context, step, region.factors[index].corners.size());
-        std::vector<std::size_t> corners;
-        for (std::size_t i = 0; i < weights.size(); ++i)
-          if (context.tower().sign(weights[i]) > 0) corners.push_back(i);
         const auto split =
             std::make_shared<const Split>(Split{std::move(piece), index, std::move(weights)});
-        for (const std::size_t i : corners | std::views::reverse) tasks.push_back({split, i});
+        for (std::size_t i = split->weights.size(); i-- > 0;)
+          if (context.tower().sign(split->weights[i]) > 0) tasks.push_back({split, i});
         break;
       }
       default:
