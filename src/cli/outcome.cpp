@@ -205,11 +205,13 @@ Decided decide(const claims::Lowered& lowered, const claims::Expression& stateme
     outcome.detail = nothing->detail;
     return result;
   }
-  const bool undefined = judgement.reason.starts_with("degenerate");
-  outcome.reason = undefined ? "degenerate" : "effort";
-  outcome.detail = undefined
-                       ? "a formula of the claim is not defined everywhere that the claim looks"
-                       : judgement.reason;
+  outcome.reason = judgement.reason.starts_with("degenerate") ? "degenerate" : "effort";
+  outcome.detail = judgement.reason;
+  for (const auto& run : outcome.obligations)
+    if (run.guard && run.status == report::ObligationRun::Status::fails) {
+      outcome.detail = "what the claim rests on does not hold: " + run.about;
+      break;
+    }
   return result;
 }
 
