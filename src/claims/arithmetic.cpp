@@ -118,7 +118,6 @@ std::optional<Value> sum_of(Evaluator& evaluator, const Expression& at, const Va
 Value scaled_extremum(Evaluator& evaluator, const Expression& at, const Extremum& extremum,
                       const Scalar& factor) {
   const auto sign = evaluator.numbers.sign(as_number(evaluator, {factor}, at));
-  if (sign == exact::Sign::zero) return {Scalar(0)};
   Extremum result = extremum;
   if (sign == exact::Sign::negative) result.maximum = !result.maximum;
   for (auto& part : result.parts) part.value = factor * part.value;

@@ -6,8 +6,8 @@
 namespace seam::claims {
 namespace {
 
-std::array<const Builtins*, 6> tables() {
-  return {&number_builtins(), &function_builtins(), &vector_builtins(),
+std::array<const Builtins*, 7> tables() {
+  return {&number_builtins(), &function_builtins(), &coefficient_builtins(), &vector_builtins(),
           &patch_builtins(),  &solid_builtins(),    &extremum_builtins()};
 }
 

@@ -37,17 +37,15 @@ bool is_compact(const symbolic::Domain& domain) {
 // max(E for u in [0,1], (v,w) in triangle).
 Value over_bindings(const Call& call, bool maximum) {
   const Expression& each = call[0];
-  std::vector<std::string> symbols;
   Scope inner{&call.scope, {}};
   Extremum::Part part;
   for (std::size_t k = 1; k < each.children.size(); ++k) {
     const Expression& binding = each.children[k];
     if (binding.children.size() < 2) fail(binding, "an extremum needs a bounded domain");
-    if (binding.children.size() > 2) throw Unsupported("an extremum under a 'where' condition");
+    if (condition_of(binding)) throw Unsupported("an extremum under a 'where' condition");
     std::vector<std::string> here;
     for (const Expression& name : binding.children[0].children) {
-      here.push_back(call.evaluator.bind(name.text));
-      symbols.push_back(here.back());
+      here.push_back(call.evaluator.bind(name.text + "~max"));
       inner.values[name.text] = {Scalar(Formula::symbol(here.back()))};
     }
     part.domain.factors.push_back(
@@ -55,8 +53,7 @@ Value over_bindings(const Call& call, bool maximum) {
   }
   if (!is_compact(part.domain)) fail(each, "an extremum needs a closed, bounded domain");
   part.value = call.evaluator.scalar(each.children[0], inner);
-  for (const std::string& symbol : symbols) call.evaluator.release(symbol);
-  return {Extremum{maximum, {part}}};
+  return {Extremum{maximum, {part}}};  // its symbols stay in use: the value may be kept
 }
 
 bool is_finite(const Call& call) {

@@ -181,7 +181,10 @@ Value rotate(const Call& call) {
   inner.values["pi"] = {Scalar(pi)};
   const Formula angle =
       as_formula(call.evaluator, call.evaluator.evaluate(call[2], inner), call[2]);
-  const auto turn = call.evaluator.numbers.rational(symbolic::diff(angle, "pi~"));
+  const Formula share = symbolic::diff(angle, "pi~");
+  if (!symbolic::is_number(share))
+    fail(call[2], "expected a rational multiple of pi, such as 2*pi/3");
+  const auto turn = call.evaluator.numbers.rational(share);
   const Formula rest = symbolic::subst(angle, {{"pi~", Formula(0)}});
   if (!turn || call.evaluator.numbers.sign(rest) != exact::Sign::zero)
     fail(call[2], "expected a rational multiple of pi, such as 2*pi/3");

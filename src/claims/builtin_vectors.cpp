@@ -4,8 +4,15 @@
 namespace seam::claims {
 namespace {
 
+// Of a vector, or of a function on a patch.
+Vector components(const Call& call, std::size_t i) {
+  const Value value = call.value(i);
+  if (const auto* field = value.as<Field>()) return field->components;
+  return as_vector(call.evaluator, value, call[i]);
+}
+
 Vector pair_checked(const Call& call, std::size_t i, std::size_t size) {
-  Vector v = call.vector(i);
+  Vector v = components(call, i);
   if (size != 0 && v.size() != size)
     fail(call[i], "expected a vector of " + std::to_string(size) + ", found a vector of " +
                       std::to_string(v.size()));
@@ -19,17 +26,23 @@ Scalar inner(const Vector& a, const Vector& b) {
 }
 
 // Functions on patches go through point by point: the result is one if an operand is.
-Value like(const Call& call, Vector components) {
-  for (std::size_t i = 0; i < call.count(); ++i) {
-    const Value v = call.value(i);
-    if (const auto* field = v.as<Field>()) return {Field{field->shape, std::move(components)}};
+Value like(const Call& call, Vector values) {
+  const Field* first = nullptr;
+  std::vector<Value> arguments;
+  for (std::size_t i = 0; i < call.count(); ++i) arguments.push_back(call.value(i));
+  for (const Value& argument : arguments) {
+    const auto* field = argument.as<Field>();
+    if (first && field && field->shape != first->shape)
+      fail(call.at, "these functions live on different domains");
+    if (field) first = field;
   }
-  if (components.size() == 1) return {components.front()};
-  return {components};
+  if (first) return {Field{first->shape, std::move(values)}};
+  if (values.size() == 1) return {values.front()};
+  return {values};
 }
 
 Value dot(const Call& call) {
-  const Vector a = call.vector(0);
+  const Vector a = components(call, 0);
   return like(call, {inner(a, pair_checked(call, 1, a.size()))});
 }
 
@@ -40,12 +53,12 @@ Value cross(const Call& call) {
 }
 
 Value norm2(const Call& call) {
-  const Vector a = call.vector(0);
+  const Vector a = components(call, 0);
   return like(call, {inner(a, a)});
 }
 
 Value norm(const Call& call) {
-  const Vector a = call.vector(0);
+  const Vector a = components(call, 0);
   const Scalar square = inner(a, a);
   if (!is_number(square))
     throw Unsupported("the length of a variable vector is not covered; norm2 is");
@@ -74,7 +87,7 @@ Value det(const Call& call) {
   std::vector<Vector> rows;
   const Value first = call.value(0);
   if (call.count() > 1) {
-    for (std::size_t i = 0; i < call.count(); ++i) rows.push_back(call.vector(i));
+    for (std::size_t i = 0; i < call.count(); ++i) rows.push_back(components(call, i));
   } else if (const auto* matrix = first.as<MatrixValue>()) {
     rows = matrix->rows;
   } else {

@@ -56,8 +56,6 @@ void fail(const Expression& at, std::string message, std::string hint) {
 Scalar as_scalar(Evaluator& evaluator, const Value& value, const Expression& at) {
   if (const auto* scalar = value.as<Scalar>()) return *scalar;
   if (value.as<Extremum>()) return as_scalar(evaluator, evaluator.resolved(value, at), at);
-  if (const auto* field = value.as<Field>(); field && field->components.size() == 1)
-    return field->components.front();
   expected("a number", value, at);
 }
 
@@ -86,7 +84,6 @@ long as_integer(Evaluator& evaluator, const Value& value, const Expression& at) 
 
 Vector as_vector(Evaluator& evaluator, const Value& value, const Expression& at) {
   if (const auto* vector = value.as<Vector>()) return *vector;
-  if (const auto* field = value.as<Field>()) return field->components;
   if (const auto* list = value.as<List>()) {
     Vector entries;
     for (const Value& item : list->items) entries.push_back(as_scalar(evaluator, item, at));

@@ -132,8 +132,10 @@ Value Evaluator::evaluate(const Expression& e, const Scope& scope) {
     }
   } catch (const symbolic::NumberError& error) {
     fail(e, error.what());
-  } catch (const symbolic::TooDeep& error) {
+  } catch (const symbolic::FormulaLimit& error) {
     fail(e, error.what());
+  } catch (const symbolic::NumberLimit& error) {
+    throw Unsupported(error.what());
   }
 }
 
@@ -268,6 +270,15 @@ std::optional<std::vector<Value>> Evaluator::finite_set(const Expression& e,
   return as_items(*this, value, e);
 }
 
+const Expression* set_of(const Expression& binding) {
+  return binding.text == "all" || binding.children.size() < 2 ? nullptr : &binding.children[1];
+}
+
+const Expression* condition_of(const Expression& binding) {
+  const std::size_t place = binding.text == "all" ? 1 : 2;
+  return binding.children.size() > place ? &binding.children[place] : nullptr;
+}
+
 std::vector<Value> comprehension(Evaluator& evaluator, const Expression& each,
                                  const Scope& scope) {
   // One binding after the other; the last one runs fastest.
@@ -278,9 +289,9 @@ std::vector<Value> comprehension(Evaluator& evaluator, const Expression& each,
       return;
     }
     const Expression& binding = each.children[k];
-    const auto set = binding.children.size() < 2
-                         ? std::nullopt
-                         : evaluator.finite_set(binding.children[1], around);
+    if (condition_of(binding)) throw Unsupported("a 'where' in a list, a sum or a count");
+    const auto set =
+        set_of(binding) ? evaluator.finite_set(*set_of(binding), around) : std::nullopt;
     if (!set) fail(binding, "expected a finite set here: a list or a range");
     const auto& names = binding.children[0].children;
     for (const Value& item : *set) {

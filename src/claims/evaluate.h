@@ -111,6 +111,10 @@ class Evaluator {
   int depth_ = 0;
 };
 
+/// The set and the `where` condition of a binding; null where it has none.
+const Expression* set_of(const Expression& binding);
+const Expression* condition_of(const Expression& binding);
+
 /// The values of `E for i in R, ...`, in order.
 std::vector<Value> comprehension(Evaluator&, const Expression& each, const Scope&);
 

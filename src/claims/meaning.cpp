@@ -13,6 +13,13 @@ namespace {
 
 constexpr int max_digits = 10'000;
 
+// Whether the language has this name already.
+bool is_taken(const std::string& name) {
+  std::vector<std::string> taken = builtin_names();
+  for (std::string& predicate : predicate_names()) taken.push_back(std::move(predicate));
+  return std::ranges::find(taken, name) != taken.end();
+}
+
 }  // namespace
 
 void Reader::read(const Item& item) {
@@ -79,8 +86,7 @@ void Reader::define(const Item& item) {
     report({item.name_span, "'" + item.name + "' is defined already", "choose another name"});
     return;
   }
-  const std::vector<std::string> taken = builtin_names();
-  if (std::ranges::find(taken, item.name) != taken.end()) {
+  if (is_taken(item.name)) {
     report({item.name_span, "'" + item.name + "' is a word of the language",
             "choose another name"});
     evaluator_.globals[item.name].broken = true;
@@ -133,7 +139,7 @@ Value Reader::root(const Item& item) {
 void Reader::define_param(const Item& item) {
   meaning_.items.push_back(MeantDefinition{item});
   for (const std::string& name : item.names) {
-    if (evaluator_.globals.contains(name)) {
+    if (evaluator_.globals.contains(name) || is_taken(name)) {
       report({item.span, "'" + name + "' is defined already", "choose another name"});
       continue;
     }
@@ -144,8 +150,14 @@ void Reader::define_param(const Item& item) {
       definition.unsupported = "parameters with a condition are not covered yet";
     } else if (item.type.starts_with("vector")) {
       Vector vector;
-      const long n = std::stol(item.type.substr(6));
-      for (long i = 1; i <= n && n <= 100; ++i) {
+      const exact::Integer size(item.type.substr(item.type.find_first_of("0123456789")));
+      if (size < 1 || size > 100) {
+        report({item.span, "expected a vector of 1 to 100 entries", {}});
+        evaluator_.globals[name].broken = true;
+        continue;
+      }
+      const long n = size.get_si();
+      for (long i = 1; i <= n; ++i) {
         const std::string symbol = evaluator_.bind(name + "[" + std::to_string(i) + "]");
         evaluator_.parameters.push_back({symbol, std::nullopt});
         vector.push_back(Scalar(Formula::symbol(symbol)));
@@ -180,7 +192,7 @@ Lowered Reader::lower(const Expression& statement, const Scope& scope) {
     result.unsupported = unsupported.what();
   } catch (const symbolic::NumberError& error) {
     report({statement.span, error.what(), {}});
-  } catch (const symbolic::TooDeep& error) {
+  } catch (const symbolic::FormulaLimit& error) {
     report({statement.span, error.what(), {}});
   }
   return result;

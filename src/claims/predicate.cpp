@@ -4,6 +4,7 @@
 #include "claims/builtin.h"
 #include "claims/stating.h"
 #include "geometry/contact.h"
+#include "geometry/similarity.h"
 
 // Predicates of the language by name, and statements that a file defines.
 
@@ -93,17 +94,19 @@ Proposition planar(const Arguments& a) {
     fail(a.place(0), "expected points with three coordinates");
   return geometry::planar(points);
 }
-// That a search found nothing refutes nothing.
-Proposition found(Proposition p) {
-  if (p.kind == Proposition::Kind::any && p.parts.empty())
-    throw Unsupported("no similarity was found, and no invariant tells the surfaces apart");
-  return p;
+// The search looks for patches carried to patches with their parameters; that it finds nothing
+// refutes nothing, for the same point set may have other parameters.
+void require_similar(const Arguments& a) {
+  if (!geometry::find_similarity(a.surface(0), a.surface(1), a.evaluator.numbers))
+    throw Unsupported("no similarity was found that carries patches to patches");
 }
 Proposition similar(const Arguments& a) {
-  return found(geometry::similar(a.surface(0), a.surface(1), a.evaluator.numbers));
+  require_similar(a);
+  return geometry::similar(a.surface(0), a.surface(1), a.evaluator.numbers);
 }
 Proposition congruent(const Arguments& a) {
-  return found(geometry::congruent(a.surface(0), a.surface(1), a.evaluator.numbers));
+  require_similar(a);
+  return geometry::congruent(a.surface(0), a.surface(1), a.evaluator.numbers);
 }
 
 const std::map<std::string, Entry>& table() {
@@ -176,6 +179,12 @@ bool is_plain_conjunction(const Proposition& p) {
 
 }  // namespace
 
+std::vector<std::string> predicate_names() {
+  std::vector<std::string> names(later().begin(), later().end());
+  for (const auto& predicate : table()) names.push_back(predicate.first);
+  return names;
+}
+
 Proposition Stating::called(const Expression& e, const Scope& scope, const Context& context,
                             bool positive) {
   const bool bare = e.kind == Expression::Kind::name;
@@ -203,8 +212,7 @@ Proposition Stating::called(const Expression& e, const Scope& scope, const Conte
   if (entry == table().end()) {
     if (later().contains(name))
       throw Unsupported("the predicate '" + name + "' is not covered yet");
-    std::vector<std::string> known(later().begin(), later().end());
-    for (const auto& predicate : table()) known.push_back(predicate.first);
+    std::vector<std::string> known = predicate_names();
     for (const auto& global : evaluator.globals) known.push_back(global.first);
     const std::vector<std::string> functions = builtin_names();
     if (std::ranges::find(functions, name) != functions.end())
@@ -226,6 +234,7 @@ Proposition Stating::called(const Expression& e, const Scope& scope, const Conte
     arguments.values.push_back(evaluator.evaluate(e.children[i + 1], scope));
   predicates.insert(name);
   Proposition p = entry->second.state(arguments);
+  if (!context.where.empty()) throw Unsupported("a predicate under a condition");
   const bool open = mentions_variables(p);
   if (open && (!positive || !is_plain_conjunction(p)))
     throw Unsupported("this predicate for all values of a parameter");

@@ -90,11 +90,19 @@ Proposition Stating::quantified(const Expression& e, const Scope& scope, const C
             for (std::size_t i = 0; i < names.size(); ++i)
               scope_here.values[names[i].text] = entries[i];
           }
-          Proposition part = self(self, k + 1, scope_here, inner, universal);
-          if (binding.children.size() > 2) {
-            Proposition condition = state(binding.children[2], scope_here, inner);
-            part = symbolic::any({symbolic::negation(std::move(condition)), std::move(part)});
+          const Expression* condition = condition_of(binding);
+          if (condition && !inner.empty()) {
+            auto where = constraints(*condition, scope_here, inner, true);
+            if (!where) throw Unsupported("this condition on a finite set under 'for all'");
+            Context narrowed = inner;
+            narrowed.where.insert(narrowed.where.end(), where->begin(), where->end());
+            parts.push_back(self(self, k + 1, scope_here, narrowed, universal));
+            continue;
           }
+          Proposition part = self(self, k + 1, scope_here, inner, universal);
+          if (condition)
+            part = symbolic::any(
+                {symbolic::negation(state(*condition, scope_here, inner)), std::move(part)});
           parts.push_back(std::move(part));
         }
         return symbolic::all(std::move(parts));
@@ -111,9 +119,9 @@ Proposition Stating::quantified(const Expression& e, const Scope& scope, const C
           evaluator.continuous_set(binding.children[1], here, around));
     else
       context_here.lines.insert(context_here.lines.end(), here.begin(), here.end());
-    if (binding.children.size() > 2) {
-      auto where = constraints(binding.children[2], scope_here, context_here, true);
-      if (!where) fail(binding.children[2], "a condition after 'where' compares polynomials");
+    if (const Expression* condition = condition_of(binding)) {
+      auto where = constraints(*condition, scope_here, context_here, true);
+      if (!where) fail(*condition, "a condition after 'where' compares polynomials");
       context_here.where.insert(context_here.where.end(), where->begin(), where->end());
     }
     return self(self, k + 1, scope_here, context_here, universal);

@@ -70,6 +70,9 @@ std::string negated_operation(const std::string& operation) {
 
 Proposition Stating::holds(const Formula& f, Relation relation, const Context& context,
                            const Expression& at, const std::string& about) {
+  for (const Constraint& constraint : context.where)
+    if (symbolic::variables(constraint.formula).empty())
+      throw Unsupported("a condition without variables");
   std::set<std::string> open = symbolic::variables(f);
   for (const Constraint& constraint : context.where)
     open.merge(symbolic::variables(constraint.formula));
@@ -81,8 +84,13 @@ Proposition Stating::holds(const Formula& f, Relation relation, const Context& c
   symbolic::Domain domain;
   domain.where = context.where;
   std::vector<std::string> lines;
+  std::set<std::string> bound;
   const auto use_factor = [&](const Simplex& factor) {
+    for (const std::string& v : factor.variables)
+      if (bound.contains(v) && symbolic::variables(f).contains(v))
+        throw Unsupported("a variable that is bound twice");
     if (!touches(factor, open)) return;
+    bound.insert(factor.variables.begin(), factor.variables.end());
     domain.factors.push_back(factor);
     for (const std::string& v : factor.variables) open.erase(v);
   };
@@ -90,6 +98,7 @@ Proposition Stating::holds(const Formula& f, Relation relation, const Context& c
   for (const std::string& line : context.lines)
     if (open.erase(line)) lines.push_back(line);
   for (const Parameter& parameter : evaluator.parameters) {
+    if (bound.contains(parameter.name)) continue;  // the context has it
     if (parameter.set)
       use_factor(*parameter.set);
     else if (open.erase(parameter.name))

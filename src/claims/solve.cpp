@@ -73,7 +73,7 @@ void Solving::collect(const Expression& e, const Scope& scope, System& system) {
     case Kind::for_all: {
       Scope inner{&scope, {}};
       for (std::size_t i = 0; i + 1 < e.children.size(); ++i) {
-        if (e.children[i].text != "all")
+        if (e.children[i].text != "all" || condition_of(e.children[i]))
           throw Unsupported("'solve' with a bounded 'for' inside");
         for (const Expression& name : e.children[i].children[0].children) {
           system.for_all.push_back(evaluator_.bind(name.text));
@@ -180,10 +180,14 @@ Proposition Stating::solved(const Expression& e, const Scope& scope, const Conte
   Scope inner{&scope, {}};
   inner.values[names[0].text] = {Scalar(Formula::symbol(system.unknown))};
   Ends ends;
-  if (bounded && unknowns[0].children.size() > 1)
-    ends = solving.ends_of(unknowns[0].children[1], scope);
+  if (bounded && set_of(unknowns[0])) ends = solving.ends_of(*set_of(unknowns[0]), scope);
   for (const Expression& condition : e.children[2].children)
     solving.narrow(condition, inner, system.unknown, ends);
+  if (const Expression* condition = bounded ? condition_of(unknowns[0]) : nullptr)
+    solving.narrow(*condition, inner, system.unknown, ends);
+  if (ends.low && ends.high &&
+      evaluator.numbers.sign(*ends.high - *ends.low) != exact::Sign::positive)
+    throw Unsupported("'solve' on an empty domain, or on one of a single point");
   solving.collect(e.children[1], inner, system);
   for (const Formula& f : system.equations)
     for (const std::string& v : symbolic::variables(f))

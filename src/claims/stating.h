@@ -75,6 +75,8 @@ class Stating {
 /// to either side.
 std::pair<exact::Rational, exact::Rational> printed_range(const Expression& printed);
 
+std::vector<std::string> predicate_names();
+
 std::string negated_operation(const std::string& operation);
 
 }  // namespace seam::claims

@@ -32,7 +32,9 @@ void Reader::table(const Item& item) {
     std::string variable;
     if (!item.columns.empty()) {
       const Expression& binding = item.columns[0];
-      const auto set = evaluator_.finite_set(binding.children[1], Scope{});
+      const auto set = set_of(binding) && !condition_of(binding)
+                           ? evaluator_.finite_set(*set_of(binding), Scope{})
+                           : std::nullopt;
       if (!set || set->empty()) fail(binding, "a table runs over a finite set");
       columns = *set;
       variable = binding.children[0].children[0].text;

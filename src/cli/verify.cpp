@@ -53,7 +53,15 @@ void run(std::vector<Task>& tasks, const claims::Meaning& meaning, const VerifyO
     budget.effort = options.effort;
     budget.deadline =
         start + std::chrono::milliseconds(static_cast<long>(options.timeout * 1000));
-    task.decided = decide(*task.lowered, *task.statement, budget, normal_form);
+    try {
+      task.decided = decide(*task.lowered, *task.statement, budget, normal_form);
+    } catch (const std::bad_alloc&) {
+      task.decided = {};
+      task.decided.outcome.text = claims::format(*task.statement);
+      task.decided.outcome.latex = claims::latex(*task.statement);
+      task.decided.outcome.reason = "memory";
+      task.decided.outcome.detail = "there was not enough memory";
+    }
     task.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     progress(++done, all, task.id);
@@ -66,7 +74,7 @@ void ask_for_second_opinions(std::vector<Task>& tasks) {
     if (!task.lowered->exported) continue;
     const certificate::Statement& statement = task.lowered->exported->statement;
     report::Outcome& outcome = task.decided.outcome;
-    for (std::size_t i = 0; i < statement.obligations.size() && outcome.alarm.empty(); ++i) {
+    for (std::size_t i = 0; i < outcome.obligations.size() && outcome.alarm.empty(); ++i) {
       if (outcome.obligations[i].status != report::ObligationRun::Status::holds) continue;
       if (const auto contradiction =
               symbolic::contradiction(statement, statement.obligations[i]))
@@ -185,12 +193,14 @@ class Assembly {
     Task& task = tasks_[next_++];
     report::Outcome result = task.decided.outcome;
     run.seconds += task.seconds;
-    if (result.verdict == Verdict::proven && verdicts_.at(run.id) == Verdict::conditional) {
+    const auto reason = because_.find(run.id);
+    if (result.verdict == Verdict::proven && reason != because_.end() &&
+        !reason->second.empty()) {
       result.verdict = Verdict::conditional;
       result.reason = "assumption";
-      result.detail = because_.at(run.id);
+      result.detail = reason->second;
     }
-    if (lowered.exported) {
+    if (lowered.exported && result.reason != "memory") {
       result.certificate = file_name(run.id, correction);
       certificates[result.certificate] = {run.id,
                                           correction,

@@ -33,6 +33,15 @@ struct Formula::Node {
 namespace {
 
 constexpr int max_depth = 5000;
+constexpr std::size_t max_bits = 1'000'000;
+
+std::size_t bits(const Rational& value) {
+  return mpz_sizeinbase(value.get_num_mpz_t(), 2) + mpz_sizeinbase(value.get_den_mpz_t(), 2);
+}
+
+void require_small(std::size_t size) {
+  if (size > max_bits) throw FormulaLimit("a number of more than a million bits");
+}
 
 std::size_t mix(std::size_t seed, std::size_t value) {
   return (seed ^ value) * 0x9e3779b97f4a7c15ULL + (seed << 7) + (seed >> 3);
@@ -64,7 +73,7 @@ Formula Formula::known(Formula value, std::vector<Fact> facts) {
   node->depth = value.node_->depth + 1;
   for (const Fact& fact : facts)
     node->depth = std::max(node->depth, fact.formula.node_->depth + 1);
-  if (node->depth > max_depth) throw TooDeep();
+  if (node->depth > max_depth) throw FormulaLimit("a formula is nested too deeply");
   node->operands.push_back(std::move(value));
   node->facts = std::move(facts);
   return Formula(std::move(node));
@@ -114,10 +123,12 @@ Formula sum(std::vector<Formula> terms) {
   Rational constant = 0;
   std::vector<Formula> rest;
   for (Formula& term : terms) {
-    if (term.is_constant())
-      constant += term.value();
-    else
+    if (!term.is_constant()) {
       rest.push_back(std::move(term));
+      continue;
+    }
+    constant += term.value();
+    require_small(bits(constant));
   }
   if (rest.empty()) return Formula(constant);
   if (constant != 0) rest.push_back(Formula(constant));
@@ -129,7 +140,7 @@ Formula sum(std::vector<Formula> terms) {
     node->hash = mix(node->hash, term.node_->hash);
     node->depth = std::max(node->depth, term.node_->depth + 1);
   }
-  if (node->depth > max_depth) throw TooDeep();
+  if (node->depth > max_depth) throw FormulaLimit("a formula is nested too deeply");
   node->operands = std::move(rest);
   return Formula(std::move(node));
 }
@@ -138,10 +149,12 @@ Formula product(std::vector<Formula> factors) {
   Rational constant = 1;
   std::vector<Formula> rest;
   for (Formula& factor : factors) {
-    if (factor.is_constant())
-      constant *= factor.value();
-    else
+    if (!factor.is_constant()) {
       rest.push_back(std::move(factor));
+      continue;
+    }
+    constant *= factor.value();
+    require_small(bits(constant));
   }
   if (constant == 0) return {0};
   if (rest.empty()) return Formula(constant);
@@ -154,7 +167,7 @@ Formula product(std::vector<Formula> factors) {
     node->hash = mix(node->hash, factor.node_->hash);
     node->depth = std::max(node->depth, factor.node_->depth + 1);
   }
-  if (node->depth > max_depth) throw TooDeep();
+  if (node->depth > max_depth) throw FormulaLimit("a formula is nested too deeply");
   node->operands = std::move(rest);
   return Formula(std::move(node));
 }
@@ -164,6 +177,7 @@ Formula power(const Formula& base, int exponent) {
   if (exponent == 0) return {1};
   if (exponent == 1) return base;
   if (base.is_constant()) {
+    if (bits(base.value()) > 2) require_small(bits(base.value()) * exponent);
     Rational value;
     mpz_pow_ui(value.get_num_mpz_t(), base.value().get_num_mpz_t(), exponent);
     mpz_pow_ui(value.get_den_mpz_t(), base.value().get_den_mpz_t(), exponent);
@@ -174,7 +188,7 @@ Formula power(const Formula& base, int exponent) {
   node->exponent = exponent;
   node->hash = mix(mix(11, base.node_->hash), exponent);
   node->depth = base.node_->depth + 1;
-  if (node->depth > max_depth) throw TooDeep();
+  if (node->depth > max_depth) throw FormulaLimit("a formula is nested too deeply");
   node->operands.push_back(base);
   return Formula(std::move(node));
 }

@@ -15,9 +15,10 @@ namespace seam::symbolic {
 
 struct Fact;
 
-/// A formula was about to be nested deeper than any walk should go (5000 levels).
-struct TooDeep : std::runtime_error {
-  TooDeep() : std::runtime_error("a formula is nested too deeply") {}
+/// A formula was about to be nested deeper than any walk should go (5000 levels), or to hold a
+/// constant of more than a million bits.
+struct FormulaLimit : std::runtime_error {
+  using std::runtime_error::runtime_error;
 };
 
 /// A polynomial expression in named symbols (variables, parameters, generators), as it was

@@ -113,6 +113,9 @@ std::string Numbers::Tower::unused(const std::string& name) const {
 }
 
 Polynomial Numbers::Tower::root_of(const Univariate& squarefree, RootInterval where) {
+  constexpr int max_degree = 64;
+  if (exact::dimension(ring->tower()) * exact::degree(squarefree) > max_degree)
+    throw NumberLimit("numbers of a field of degree over 64 are not covered");
   const Univariate f = exact::irreducible_factor(squarefree, where);
   if (exact::degree(f) == 1) return -f[0];
   const Univariate cleared = ring->constant(common_denominator(f)) * f;

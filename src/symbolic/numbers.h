@@ -23,6 +23,11 @@ struct NumberError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A number field would become too large to compute in (degree over 64).
+struct NumberLimit : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 /// The real algebraic numbers of one file: a growing tower of real fields over Q, and exact
 /// decisions about formulas without variables ("number formulas").
 ///

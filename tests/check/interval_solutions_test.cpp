@@ -159,5 +159,28 @@ TEST(IntervalSolutions, intervals_among_all_numbers_reach_to_infinity_on_both_si
   }
 }
 
+TEST(IntervalSolutions, a_root_at_an_open_end_is_none) {
+  for (const bool at_low : {true, false})
+    for (const bool open : {true, false}) {
+      Case c;
+      const Term x = c.symbol("x");
+      // x (x - 2/3), or mirrored: a root at the end 0, one inside
+      const Term formula = c.product({x, c.polynomial(x, {at_low ? "-2/3" : "2/3", "1"})});
+      c.claim(Solutions{
+          {formula},
+          "x",
+          {},
+          at_low ? c.segment("x", "0", "1", open) : c.segment("x", "-1", "0", false, open),
+          {at_low ? Solution{-1, "1/2", "3/4"} : Solution{-1, "-3/4", "-1/2"}}});
+      Roots roots;
+      roots.divisor = formula;
+      roots.cofactors = roots.quotients = {c.number(1)};
+      roots.inside = {nonzero(at_low ? Relation::positive : Relation::negative)};
+      roots.outside = {nonzero(Relation::negative), nonzero(Relation::positive)};
+      if (!at_low) std::swap(roots.outside[0], roots.outside[1]);
+      EXPECT_EQ(c.finding(roots).kind, open ? Kind::holds : Kind::open);
+    }
+}
+
 }  // namespace
 }  // namespace seam::check::test

@@ -63,6 +63,48 @@ TEST(Sign, a_zero_at_infinity_does_no_harm) {
   EXPECT_HOLDS(d.finding(pieces({d.halved(), plain(), plain()})));
 }
 
+TEST(Sign, a_zero_at_one_of_two_corners_at_infinity_does_no_harm) {
+  for (const bool infinite : {true, false}) {
+    Case c;
+    const Term one = c.number(1);
+    const Term nil = c.number(0);
+    // u >= 0 to infinity, v likewise or to 1; in the first case u + 1 has no term at the corner
+    // at infinity of v, in the second u + 1 - v is 0 at (0, 1).
+    const Simplex quarter = {
+        {"u", "v"},
+        {{one, nil, nil}, {nil, one, nil}, {infinite ? nil : one, nil, one}},
+        {false, false, false}};
+    const Term u = c.symbol("u");
+    const Term formula =
+        infinite ? c.sum({u, one}) : c.sum({u, one, c.scaled(-1, c.symbol("v"))});
+    c.claim(Sign{formula, Relation::positive, {{quarter}, {}}});
+    EXPECT_EQ(c.finding(pieces({plain()})).kind, infinite ? Kind::holds : Kind::open);
+  }
+}
+
+TEST(Sign, a_corner_that_a_split_puts_on_an_open_facet_needs_no_sign) {
+  for (const bool open : {true, false}) {
+    Case c;
+    const Term one = c.number(1);
+    const Term v = c.symbol("v");
+    Simplex triangle = c.triangle();
+    triangle.open[2] = open;  // v = 0
+    c.claim(Sign{v, Relation::positive, {{triangle}, {}}});
+    const Step on_facet = split(0, {one, one, c.number(0)});
+    EXPECT_EQ(c.finding(pieces({on_facet, plain(), plain()})).kind,
+              open ? Kind::holds : Kind::open);
+  }
+}
+
+TEST(Sign, a_corner_that_a_split_puts_inside_needs_a_sign_whatever_is_open) {
+  for (const bool low : {false, true})
+    for (const bool high : {false, true}) {
+      OnLine c({"1/4", "-1", "1"}, Relation::positive,
+               [=](Case& k) { return k.segment("x", "0", "1", low, high); });
+      EXPECT_OPEN(c.finding(pieces({c.halved(), plain(), plain()})), "do not show");
+    }
+}
+
 TEST(Sign, bisection_shows_what_the_whole_does_not) {
   OnLine c({"1", "-3", "3"}, Relation::positive);  // least 1/4 at 1/2
   EXPECT_OPEN(c.finding(pieces({plain()})), "do not show");
