@@ -142,7 +142,8 @@ std::vector<std::map<std::string, Formula>> candidates(const symbolic::Domain& d
 struct Attained {
   const Extremum::Part* part;
   std::map<std::string, Formula> point;
-  Formula value;
+  Scalar here;    ///< the value there, as substituted
+  Formula value;  ///< its normal form
 };
 
 // The candidates with the best value.
@@ -162,9 +163,15 @@ std::vector<Attained> best_candidates(Evaluator& evaluator, const Extremum& extr
         if (sign == exact::Sign::negative) continue;
         if (sign == exact::Sign::positive) best.clear();
       }
-      best.push_back({&part, point, value});
+      best.push_back({&part, point, here, value});
     }
   return best;
+}
+
+// That the value is attained there is stated too, for the checker to compute again.
+void state_attained(Stating& stating, const Attained& place, const Expression& at) {
+  const auto equal = stating.compared(place.here, "=", Scalar(place.value), {}, at);
+  stating.guards.push_back(stating.holds(equal.formula, equal.relation, {}, at, "attained"));
 }
 
 // The squared distance from a point.
@@ -191,6 +198,7 @@ Value arguments_of_extremum(const Call& call, bool maximum) {
                                       context, call.at);
   List points;
   for (const Attained& place : best) {
+    state_attained(stating, place, call.at);
     context.where.push_back({distance2(place.point), Relation::positive});
     Vector point;
     for (const Simplex& factor : part.domain.factors)
@@ -217,8 +225,10 @@ Value argmin(const Call& call) {
 Value Evaluator::resolved(const Value& value, const Expression& at) {
   const auto* extremum = value.as<Extremum>();
   if (!extremum) return value;
-  const Formula best = best_candidates(*this, *extremum).front().value;
+  const Attained place = best_candidates(*this, *extremum).front();
+  const Formula& best = place.value;
   Stating stating(*this);
+  state_attained(stating, place, at);
   for (const Extremum::Part& part : extremum->parts) {
     const Context context{part.domain.factors, {}, {}};
     const auto bound = stating.compared(

@@ -6,6 +6,8 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "exact/contract.h"
+
 namespace seam::claims {
 namespace {
 
@@ -174,12 +176,10 @@ class Exporter {
     for (const Goal& part : g.parts) guard_all(part);
   }
 
-  // Guards are conjunctions; any other would have to be part of the goal.
+  // A guard inside the goal could refute it; so guards are conjunctions, nothing else.
   void add_guard(const Proposition& guard) {
-    if (is_conjunction(guard)) return guard_all(goal(guard));
-    Goal both;
-    both.parts = {std::move(result_.statement.goal), goal(guard)};
-    result_.statement.goal = std::move(both);
+    exact::require(is_conjunction(guard), "exported: a guard that is no conjunction");
+    guard_all(goal(guard));
   }
 
   static bool is_conjunction(const Proposition& p) {

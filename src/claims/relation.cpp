@@ -6,7 +6,7 @@
 // A comparison of quotients a/b and c/d becomes one of polynomials: (a d - c b) * sign(b d)
 // with 0. The sign of a divisor is read off at one point of the context and stated as a guard
 // for all of it, so that nothing rests on the reading. Under constraints the context may fall
-// apart into pieces with different signs; there the square of nothing is assumed, and b d is
+// apart into pieces with different signs; there no sign is assumed, and b d is
 // multiplied in.
 
 namespace seam::claims {
