@@ -131,30 +131,6 @@ const std::set<std::string>& later() {
   return names;
 }
 
-// A predicate on patches with parameters of the file, or of a quantifier around, holds for all
-// their values: their sets join the domain of every inequality. (An identity says so anyway.)
-Proposition under(Proposition p, const Context& context,
-                  const std::vector<Parameter>& parameters) {
-  for (Proposition& part : p.parts) part = under(std::move(part), context, parameters);
-  if (p.kind != Proposition::Kind::atom) return p;
-  auto* sign = std::get_if<symbolic::Sign>(&p.atom);
-  if (!sign) return p;
-  std::set<std::string> open = symbolic::variables(sign->formula);
-  for (const auto& factor : sign->domain.factors)
-    for (const std::string& v : factor.variables) open.erase(v);
-  const auto join = [&](const symbolic::Simplex& factor) {
-    if (std::ranges::none_of(factor.variables, [&](const auto& v) { return open.contains(v); }))
-      return;
-    sign->domain.factors.push_back(factor);
-    for (const std::string& v : factor.variables) open.erase(v);
-  };
-  for (const auto& factor : context.factors) join(factor);
-  for (const Parameter& parameter : parameters)
-    if (parameter.set) join(*parameter.set);
-  if (!open.empty()) throw Unsupported("a predicate for all values of an unbounded parameter");
-  return p;
-}
-
 bool mentions_variables(const Proposition& p) {
   if (p.kind == Proposition::Kind::atom) {
     const auto* sign = std::get_if<symbolic::Sign>(&p.atom);
@@ -238,7 +214,7 @@ Proposition Stating::called(const Expression& e, const Scope& scope, const Conte
   const bool open = mentions_variables(p);
   if (open && (!positive || !is_plain_conjunction(p)))
     throw Unsupported("this predicate for all values of a parameter");
-  p = under(std::move(p), context, evaluator.parameters);
+  p = settled(std::move(p), context, e);
   return positive ? p : symbolic::negation(std::move(p));
 }
 
