@@ -103,6 +103,13 @@ Proposition Stating::compare(const Expression& at, const Value& a, const std::st
   }
   if (a.as<Scalar>() && b.as<Scalar>()) {
     const std::string op = positive ? operation : negated_operation(operation);
+    // |E| <= b says that E <= b and -E <= b.
+    const auto inside = inside_absolute(*a.as<Scalar>());
+    if (inside && (op == "<" || op == "<="))
+      return symbolic::all({compare(at, {*inside}, op, b, context, true),
+                            compare(at, {-*inside}, op, b, context, true)});
+    if (inside_absolute(*b.as<Scalar>()) && (op == ">" || op == ">="))
+      return compare(at, b, op == ">" ? "<" : "<=", a, context, true);
     const Constraint c = compared(*a.as<Scalar>(), op, *b.as<Scalar>(), context, at);
     return holds(c.formula, c.relation, context, at);
   }

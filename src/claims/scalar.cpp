@@ -105,22 +105,34 @@ Scalar power(const Scalar& base, long exponent, Numbers& numbers) {
       base);
 }
 
+namespace {
+
+// Certainly not negative, as it is written.
+bool is_size(const Formula& f) {
+  const Factors all = factors(f);
+  return all.constant >= 0 && std::ranges::all_of(all.powers, [](const auto& p) {
+           return p.second % 2 == 0 || p.first.kind() == Formula::Kind::root;
+         });
+}
+
+}  // namespace
+
 Scalar absolute(const Scalar& x, Numbers& numbers) {
   const auto size = [&](const Formula& f) {
-    const Factors all = factors(f);
-    Formula result = Formula(abs(all.constant));
-    for (const auto& [factor, exponent] : all.powers) {
-      Formula positive = factor;
-      if (symbolic::is_number(factor)) {
-        if (numbers.sign(factor) == exact::Sign::negative) positive = -factor;
-      } else if (exponent % 2 == 1 && factor.kind() != Formula::Kind::root) {
-        positive = symbolic::root(symbolic::power(factor, 2), 2);
-      }
-      result *= symbolic::power(positive, exponent);
-    }
-    return result;
+    if (is_size(f)) return f;
+    if (symbolic::is_number(f)) return numbers.sign(f) == exact::Sign::negative ? -f : f;
+    return symbolic::root(symbolic::power(f, 2), 2);
   };
   return resting(over(size(x.numerator), size(x.denominator)), x, x);
+}
+
+std::optional<Scalar> inside_absolute(const Scalar& x) {
+  const Formula& root = x.numerator;
+  if (root.kind() != Formula::Kind::root || root.exponent() != 2 || !is_size(x.denominator))
+    return std::nullopt;
+  const Formula& square = root.operands()[0];
+  if (square.kind() != Formula::Kind::power || square.exponent() != 2) return std::nullopt;
+  return resting(over(square.operands()[0], x.denominator), x, x);
 }
 
 // The root of n/d is that of n * rest, over |d * rest| taken once, where d * rest is an

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,6 +50,8 @@ Scalar power(const Scalar& base, long exponent, Numbers&);
 Scalar nth_root(const Scalar& radicand, int n, Numbers&);
 /// |x|; of a function, the root of its square.
 Scalar absolute(const Scalar& x, Numbers&);
+/// E, if x is |E| as `absolute` writes it.
+std::optional<Scalar> inside_absolute(const Scalar& x);
 
 /// Symbols replaced by quotients, in numerator, denominator, divisors and radicands.
 Scalar substitute(const Scalar&, const std::map<std::string, Scalar>&, Numbers&);
