@@ -27,7 +27,9 @@ Coefficients coefficients(const Formula& f, const std::vector<std::string>& chos
     ring_variables.push_back(entry.name);
     written.emplace(entry.name, entry.formula);
   }
-  Expansion expansion(exact::Ring::make(numbers.tower(), ring_variables), atoms);
+  const Numbers::Field& field = numbers.field(f);
+  Expansion expansion(exact::Ring::make(field.ring->tower(), ring_variables), atoms,
+                      field.values);
   Coefficients result;
   for (const auto& [exponents, coefficient] : expansion(f).coefficients(indices))
     result.emplace(exponents, subst(formula(coefficient), written));
