@@ -126,6 +126,7 @@ Value orbit(const Call& call) {
     matrices.push_back(as_matrix(call.evaluator, item, call[1]));
     if (matrices.back().rows.size() != 3 || matrices.back().rows[0].size() != 3)
       fail(call[1], "expected matrices of 3 rows and 3 columns");
+    for (const Point& row : matrices.back().rows) require_in_space(row, call[1], "matrices");
   }
   if (matrices.empty()) fail(call[1], "no matrices");
   return {geometry::orbit(patch, matrices, call.evaluator.numbers)};

@@ -21,6 +21,7 @@ constexpr int max_order = 8;
 struct Arguments {
   Evaluator& evaluator;
   const Expression& at;
+  std::vector<geometry::Sample> samples;
   std::vector<Value> values;
 
   const Expression& place(std::size_t i) const { return at.children[i + 1]; }
@@ -60,7 +61,7 @@ Criterion regular(const Arguments& a) {
 // Two patches from the first argument on that is one.
 Criterion meeting(const Arguments& a, std::size_t first, const geometry::Condition& condition) {
   return geometry::along_a_common_side(a.patch(first), a.patch(first + 1), condition,
-                                       a.numbers());
+                                       a.numbers(), a.samples);
 }
 Criterion g0(const Arguments& a) {
   return meeting(a, 0, [](const geometry::Contact& c) { return geometry::g0(c); });
@@ -293,7 +294,9 @@ Proposition Stating::called(const Expression& e, const Scope& scope, const Conte
     fail(callee, "unknown predicate '" + name + "'",
          near.empty() ? "" : "did you mean '" + near + "'?");
   }
-  Arguments arguments{evaluator, e, {}};
+  Arguments arguments{evaluator, e, {}, {}};
+  for (const long weight : {1, 3, 8})
+    arguments.samples.push_back(sample(context, evaluator, weight));
   if (static_cast<int>(given) < entry->second.least ||
       static_cast<int>(given) > entry->second.most)
     fail(e, "'" + name + "' takes " + std::to_string(entry->second.least) +

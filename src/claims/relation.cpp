@@ -132,28 +132,7 @@ Proposition Stating::holds(const Formula& f, Relation relation, const Context& c
 // The sign at some point inside the context; nothing where it is 0 at all points tried.
 std::optional<exact::Sign> Stating::sample_sign(const Formula& f, const Context& context) {
   for (const long weight : {1, 2, 3, 5, 8}) {
-    std::map<std::string, Formula> point;
-    const auto place = [&](const Simplex& factor) {
-      Formula total = 0;
-      symbolic::Point sum(factor.variables.size(), Formula(0));
-      for (std::size_t c = 0; c < factor.corners.size(); ++c) {
-        const Formula share(c == 0 ? weight : 1);
-        total += share * factor.corners[c][0];
-        for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += share * factor.corners[c][i + 1];
-      }
-      const Formula inverse = evaluator.numbers.inverse(total);
-      for (std::size_t i = 0; i < sum.size(); ++i)
-        point[factor.variables[i]] = evaluator.numbers.normal_form(sum[i] * inverse);
-    };
-    for (const Parameter& parameter : evaluator.parameters) {
-      if (parameter.set)
-        place(*parameter.set);
-      else
-        point[parameter.name] = Formula(weight);
-    }
-    for (const Simplex& factor : context.factors) place(factor);
-    for (const std::string& line : context.lines) point[line] = Formula(weight);
-    const Formula value = symbolic::subst(f, point);
+    const Formula value = symbolic::subst(f, sample(context, evaluator, weight));
     if (!symbolic::is_number(value)) return std::nullopt;
     const exact::Sign sign = evaluator.numbers.sign(value);
     if (sign != exact::Sign::zero) return sign;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
+#include <string>
 #include <vector>
 
 #include "geometry/side_contact.h"
@@ -33,8 +35,11 @@ struct Criterion {
 
 /// One full side of p is one full side of q (which one, and in which direction, is found with
 /// `Numbers`), and there the condition holds, which says that they are equal. No such pair: a
-/// proposition that fails, with a witness for each pair of sides.
-Criterion along_a_common_side(const Patch& p, const Patch& q, const Condition&, const Numbers&);
+/// proposition that fails, with a witness for each pair of sides. The samples are values that
+/// the variables may have; where the predicate fails at one, every failure refutes it.
+using Sample = std::map<std::string, Formula>;
+Criterion along_a_common_side(const Patch& p, const Patch& q, const Condition&, const Numbers&,
+                              const std::vector<Sample>& = {});
 
 /// x ends where y begins, and there is a reparametrisation, with a derivative > 0, with which
 /// their derivatives to this order are equal; and: they are so as they are. Of one dimension.

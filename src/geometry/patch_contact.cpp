@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 
 #include "geometry/contact.h"
 #include "geometry/identity.h"
 #include "geometry/side_contact.h"
+#include "geometry/side_pairs.h"
 
-// Two sides, raised to one degree, are one curve exactly if their control points are equal. So
-// a pair of sides is one curve for all values of the variables, if all coordinates of the
-// differences of control points vanish identically; it is one curve for no value, if one of
-// these coordinates is a number other than 0; else it may be one for some values.
-//
 // The predicate is about all values at once. Proven along a pair that is always one curve, it
 // holds. That its failure refutes has to be said of the other pairs:
 //
@@ -23,44 +20,13 @@
 //   no pair that is always one curve, the product of the g_i says that there are values at
 //   which no pair is one.
 //
+//   At a sample the predicate fails: at the pairs that are one curve there, the condition has
+//   an identity that does not hold or an inequality that is wrong at 0, 1/2 or 1.
+//
 //   Else nothing is known.
 
 namespace seam::geometry {
 namespace {
-
-enum class Agreement { always, never, sometimes };
-
-Agreement agreement(const Curve& x, const Curve& y, const Numbers& numbers) {
-  const int degree = std::max(x.degree(), y.degree());
-  const auto a = elevate(x, degree).control, b = elevate(y, degree).control;
-  bool always = true;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    for (const Formula& difference : a[i] - b[i]) {
-      if (vanishes_identically(difference, numbers)) continue;
-      if (is_nonzero_number(difference, numbers)) return Agreement::never;
-      always = false;
-    }
-  return always ? Agreement::always : Agreement::sometimes;
-}
-
-struct Pairs {
-  std::vector<Seam> always;
-  bool sometimes = false;  // others are one curve for some values, or it is not known
-};
-
-Pairs pairs(const std::vector<Patch>& patches, const Numbers& numbers) {
-  Pairs result;
-  for (int side = 1; side <= patches[0].sides(); ++side)
-    for (int other = 1; other <= patches[1].sides(); ++other)
-      for (const bool reversed : {false, true}) {
-        const Seam seam{0, side, 1, other, reversed};
-        const Contact c = contact(patches, seam);
-        const Agreement found = agreement(edge(c.p, 1), edge(c.q, 1), numbers);
-        if (found == Agreement::always) result.always.push_back(seam);
-        if (found == Agreement::sometimes) result.sometimes = true;
-      }
-  return result;
-}
 
 bool holds_polynomials(const Patch& p) {
   const auto is_polynomial_point = [](const Point& point) {
@@ -71,21 +37,69 @@ bool holds_polynomials(const Patch& p) {
   });
 }
 
-Criterion::Failure meaning_of_failure(const Pairs& found, const std::vector<Patch>& patches) {
+Patch at(const Sample& sample, const Patch& p) {
+  return map(p, [&](const Point& point) {
+    Point result;
+    for (const Formula& x : point) result.push_back(subst(x, sample));
+    return result;
+  });
+}
+
+bool is_in(exact::Sign sign, symbolic::Relation relation) {
+  using symbolic::Relation;
+  if (sign == exact::Sign::zero)
+    return relation == Relation::zero || relation == Relation::nonnegative ||
+           relation == Relation::nonpositive;
+  if (relation == Relation::nonzero) return true;
+  return sign == exact::Sign::positive
+             ? relation == Relation::positive || relation == Relation::nonnegative
+             : relation == Relation::negative || relation == Relation::nonpositive;
+}
+
+// Of a condition on patches of numbers, along a side.
+bool surely_fails(const Proposition& p, const Numbers& numbers) {
+  if (p.kind == Proposition::Kind::all)
+    return std::ranges::any_of(
+        p.parts, [&](const Proposition& part) { return surely_fails(part, numbers); });
+  if (p.kind != Proposition::Kind::atom) return false;
+  if (const auto* zero = std::get_if<symbolic::Zero>(&p.atom))
+    return !vanishes_identically(zero->formula, numbers);
+  const auto* sign = std::get_if<symbolic::Sign>(&p.atom);
+  const std::array<Formula, 3> places{0, Formula(exact::Rational(1, 2)), 1};
+  return sign && std::ranges::any_of(places, [&](const Formula& u) {
+           const Formula value = subst(sign->formula, {{parameter_u, u}});
+           return is_number(value) && !is_in(numbers.sign(value), sign->relation);
+         });
+}
+
+bool fails_at(const Sample& sample, const std::vector<Patch>& patches,
+              const Condition& condition, const Numbers& numbers) {
+  const std::vector<Patch> here{at(sample, patches[0]), at(sample, patches[1])};
+  return std::ranges::all_of(
+      side_pairs(here[0], here[1], numbers).always,
+      [&](const Seam& seam) { return surely_fails(condition(contact(here, seam)), numbers); });
+}
+
+Criterion::Failure meaning_of_failure(const SidePairs& found, const std::vector<Patch>& patches,
+                                      const Condition& condition, const Numbers& numbers,
+                                      const std::vector<Sample>& samples) {
   if (!found.sometimes) return Criterion::Failure::refutes;
   if (!holds_polynomials(patches[0]) || !holds_polynomials(patches[1]))
     return Criterion::Failure::says_nothing;
-  return found.always.empty() ? Criterion::Failure::refutes
-                              : Criterion::Failure::refutes_by_identities;
+  if (found.always.empty() || std::ranges::any_of(samples, [&](const Sample& sample) {
+        return fails_at(sample, patches, condition, numbers);
+      }))
+    return Criterion::Failure::refutes;
+  return Criterion::Failure::refutes_by_identities;
 }
 
 }  // namespace
 
 Criterion along_a_common_side(const Patch& p, const Patch& q, const Condition& condition,
-                              const Numbers& numbers) {
+                              const Numbers& numbers, const std::vector<Sample>& samples) {
   const std::vector<Patch> patches{p, q};
-  const Pairs found = pairs(patches, numbers);
-  const auto failure = meaning_of_failure(found, patches);
+  const SidePairs found = side_pairs(p, q, numbers);
+  const auto failure = meaning_of_failure(found, patches, condition, numbers, samples);
   std::vector<Proposition> alternatives;
   for (const Seam& seam : found.always) {
     Proposition alternative = condition(contact(patches, seam));
