@@ -131,7 +131,7 @@ Value moved(const Call& call, const std::function<Point(const Point&)>& f) {
   if (const auto* surface = value.as<geometry::Surface>()) {
     std::vector<Patch> images;
     for (const Patch& p : surface->patches) images.push_back(geometry::map(p, checked));
-    return {geometry::surface(std::move(images), call.evaluator.numbers)};
+    return {glue(std::move(images), call[0], call.evaluator.numbers)};
   }
   return {geometry::map(patch(call), checked)};
 }
@@ -141,9 +141,10 @@ Value reflect(const Call& call) {
   const Point n = as_point(call.evaluator, {plane.normal}, call[1]);
   if (n.size() != 3) fail(call[1], "the normal of a plane has three coordinates");
   const Formula offset = as_formula(call.evaluator, {plane.offset}, call[1]);
-  return moved(call, [&](const Point& point) {
-    return geometry::reflect(point, n, offset, call.evaluator.numbers);
-  });
+  const Scalar share = divide(Scalar(1), Scalar(geometry::norm2(n)), call.evaluator.numbers);
+  const Formula inverse = as_formula(call.evaluator, {share}, call[1]);
+  return moved(
+      call, [&](const Point& point) { return geometry::reflect(point, n, offset, inverse); });
 }
 
 // cos and sin of pi/n for n = 1, 2, 3, 4, 5, 6 and 10, by radicals.
@@ -201,7 +202,9 @@ Value rotate(const Call& call) {
     sine = call.evaluator.numbers.normal_form(cosine * s + sine * c);
     cosine = next;
   }
-  const Point axis = as_point(call.evaluator, call.value(1), call[1]);
+  Point axis;
+  for (const Scalar& entry : call.vector(1))
+    axis.push_back(as_number(call.evaluator, {entry}, call[1]));
   if (axis.size() != 3) fail(call[1], "an axis has three coordinates");
   const geometry::Matrix matrix =
       geometry::rotation(axis, cosine, sine, call.evaluator.numbers);

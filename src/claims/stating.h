@@ -22,6 +22,10 @@ struct Context {
   bool empty() const { return factors.empty() && lines.empty() && where.empty(); }
 };
 
+/// A point inside the context and the sets of the parameters of the file; another one for
+/// another weight > 0.
+std::map<std::string, Formula> sample(const Context&, Evaluator&, long weight);
+
 class Stating {
  public:
   explicit Stating(Evaluator& e) : evaluator(e) {}

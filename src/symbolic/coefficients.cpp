@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "exact/polynomial.h"
+#include "symbolic/denominator.h"
 #include "symbolic/expand.h"
 
 namespace seam::symbolic {
@@ -37,7 +38,7 @@ Coefficients coefficients(const Formula& f, const std::vector<std::string>& chos
 }
 
 bool vanishes(const Formula& f, const Numbers& numbers) {
-  return coefficients(f, {}, numbers).empty();
+  return coefficients(cleared(f).numerator, {}, numbers).empty();
 }
 
 }  // namespace seam::symbolic
