@@ -91,6 +91,59 @@ TEST(Multiplier, an_equation_holds_where_a_positive_multiple_of_it_does) {
   }
 }
 
+/// (x - 1/2)^2 + side * r >= 0 for x in [0, 1], r = sqrt((x - 1/2)^4 * scale).
+struct Touching : Case {
+  Term x = symbol("x"), r = symbol("r");
+  Term a = power(sum({x, number("-1/2")}), 2);
+  Term f;
+  Touching(Relation relation, const char* scale) {
+    statement.functions = {{"r", product({power(a, 2), number(scale)}), 2}};
+    f = difference(a, r);
+    claim(Sign{f, relation, {{segment("x")}, {}}});
+    evidence_begins();
+  }
+  Pieces square(const char* cofactor, Term root) {
+    return {{plain()}, positive, root, number(cofactor)};
+  }
+  Reduction proof(Pieces product) {
+    Pieces sum_is = {{plain()}, positive, sum({x, number("-1/2")}), number(2)};
+    return {conjugate, {sum({a, r})}, {}, {sum_is, std::move(product)}};
+  }
+};
+
+TEST(Conjugate, two_numbers_with_sum_and_product_not_negative_are_not_negative) {
+  Touching t(nonnegative, "1/4");
+  EXPECT_HOLDS(t.finding(t.proof(t.square("3/4", t.a))));
+  Touching larger(nonnegative, "4");
+  EXPECT_OPEN(larger.finding(larger.proof(larger.square("-3", larger.a))), "do not show");
+  EXPECT_OPEN(larger.finding(larger.proof(larger.square("3/4", larger.a))), "the square times");
+  Touching strict(positive, "1/4");
+  EXPECT_OPEN(strict.finding(strict.proof(strict.square("3/4", strict.a))), "no strict sign");
+  Touching equation(zero, "1");
+  EXPECT_OPEN(equation.finding(equation.proof(equation.square("0", equation.a))),
+              "a conjugate shows neither");
+}
+
+TEST(Conjugate, the_sum_is_needed) {
+  for (const auto& [relation, value, holds] :
+       std::vector<std::tuple<Relation, const char*, bool>>{{positive, "2", true},
+                                                            {positive, "-2", false},
+                                                            {negative, "-2", true},
+                                                            {negative, "2", false},
+                                                            {nonpositive, "-2", true}}) {
+    Case k;  // 2 > 0, as 2 + 1 >= 0 and 2 * 1 > 0
+    k.claim(Sign{k.number(value), relation, {}});
+    k.evidence_begins();
+    const Term h = k.number(value[0] == '-' ? -1 : 1);
+    const Finding found =
+        k.finding(Reduction{conjugate, {h}, {}, {Computation{}, Computation{}}});
+    if (holds)
+      EXPECT_HOLDS(found);
+    else
+      EXPECT_OPEN(found, "no number of this sign");
+  }
+}
+
 TEST(Cases, both_are_needed) {
   Case k;
   const Term x = k.symbol("x");
