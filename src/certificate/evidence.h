@@ -60,7 +60,7 @@ struct Pieces {
 /// function of the obligation (and of the radicands of these), one coordinate more: a factor
 /// [0, infinity) after those given, and after the conditions given name^degree - radicand = 0.
 ///
-///   multiplier    h = terms[0]; parts: h > 0; h * f R 0.
+///   multiplier    h = terms[0]; parts: h > 0 (not looked at if R is !=); h * f R 0.
 ///   conjugate     h = terms[0]; for R one of > >= (and likewise with < <=: f and h change
 ///                 sign). parts: f + h >= 0; f * h R 0.
 ///   cases         a = terms[0]; parts: f R 0 with the condition a >= 0 added to those of the

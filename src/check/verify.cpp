@@ -7,7 +7,7 @@
 
 // Why each rule shows f R 0 at a point of the region.
 //
-//   multiplier    h > 0 there: f and h f have one sign.
+//   multiplier    h > 0 there: f and h f have one sign. That f is not 0 follows from any h f.
 //   conjugate     with f + h >= 0, f < 0 makes h > 0 and f h < 0; and f = 0 makes f h = 0.
 //   cases         a >= 0 or a < 0 there: the point belongs to one of the two regions.
 //   combination   f is the rest and the sum of the h_i e_i. With e_i = 0 that is nothing; else
@@ -122,7 +122,8 @@ void verify(Context& context, const Region& region, const Polynomial& formula,
   switch (reduction.kind) {
     case Reduction::Kind::multiplier: {
       const Polynomial multiplier = read_term(context, region, reduction.terms[0]);
-      verify(context, region, multiplier, Relation::positive, reduction.parts[0]);
+      if (relation != Relation::nonzero)
+        verify(context, region, multiplier, Relation::positive, reduction.parts[0]);
       verify(context, region, context.ring().product(multiplier, formula), relation,
              reduction.parts[1]);
       return;

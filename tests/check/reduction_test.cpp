@@ -72,6 +72,18 @@ TEST(Multiplier, it_holds_variables_and_functions_of_the_obligation_alone) {
   }
 }
 
+TEST(Multiplier, it_may_be_of_any_sign_where_no_sign_is_claimed) {
+  Difference d(nonzero, true);
+  EXPECT_HOLDS(d.finding(by_multiplier(d.scaled(-1, d.sum({d.k, d.r})), Computation{},
+                                       test::nonzero(negative))));
+  EXPECT_OPEN(d.finding(by_multiplier(d.number(0), Computation{}, Computation{})),
+              "no number of this sign");
+  Difference closed(nonzero, false);
+  EXPECT_OPEN(closed.finding(by_multiplier(closed.scaled(-1, closed.sum({closed.k, closed.r})),
+                                           Computation{}, test::nonzero(negative))),
+              "do not show the sign");
+}
+
 TEST(Multiplier, an_equation_holds_where_a_positive_multiple_of_it_does) {
   for (const int constant : {1, 2}) {
     Case k;  // r = 1 + c where r^2 = (1 + c)^2
