@@ -110,6 +110,20 @@ Solutions read_solutions(const Reader& in) {
           read_simplex(in["domain"]), in["solutions"].list(read_solution)};
 }
 
+OnlySolutions read_only_solutions(const Reader& in) {
+  in.members({"system", "unknowns", "for_all", "factors", "where", "solutions"});
+  const auto read_tuple = [](const Reader& tuple) {
+    tuple.members({"numerators", "denominators"});
+    return OnlySolutions::Tuple{tuple["numerators"].integers(),
+                                tuple["denominators"].integers()};
+  };
+  return {in["system"].integers(),
+          in["unknowns"].texts(),
+          in["for_all"].texts(),
+          {in["factors"].list(read_simplex), in["where"].list(read_constraint)},
+          in["solutions"].list(read_tuple)};
+}
+
 Gluing::Side read_side(const Reader& in) {
   const std::vector<int> ends = in.integers();
   if (ends.size() != 2) in.fail("two corners");
@@ -133,6 +147,7 @@ Obligation read_obligation(const Reader& in) {
   if (kind == "zero") return Zero{in["zero"].integer()};
   if (kind == "sign") return read_sign(in["sign"]);
   if (kind == "solutions") return read_solutions(in["solutions"]);
+  if (kind == "only_solutions") return read_only_solutions(in["only_solutions"]);
   if (kind == "gluing") return read_gluing(in["gluing"]);
   return Distinct{in["distinct"].list([](const Reader& tuple) { return tuple.integers(); })};
 }
@@ -213,6 +228,45 @@ WrongSolution read_wrong_solution(const Reader& in) {
   return {in["value"].integer(), in["claimed"].integer()};
 }
 
+Combination read_combination(const Reader& in) {
+  in.members({"equations", "cofactors"});
+  return {in["equations"].integers(), in["cofactors"].integers()};
+}
+
+EliminationFactor read_elimination_factor(const Reader& in) {
+  in.members({"formula", "power", "condition", "trees"});
+  return {in["formula"].integer(), in["power"].integer(), in["condition"].integer(),
+          in["trees"].list(read_pieces)};
+}
+
+EliminationStep read_elimination_step(const Reader& in) {
+  EliminationStep step;
+  if (in.has("product")) {
+    in.members({"combination", "product"});
+    step.combination = read_combination(in["combination"]);
+    step.factors = in["product"].list(read_elimination_factor);
+  } else if (in.has("cases")) {
+    in.members({"cases"});
+    step.kind = EliminationStep::Kind::cases;
+    step.formula = in["cases"].integer();
+  } else if (in.has("solution")) {
+    in.members({"solution", "equations"});
+    step.kind = EliminationStep::Kind::solution;
+    step.index = in["solution"].integer();
+    step.equations = in["equations"].integers();
+  } else {
+    in.members({"outside", "multiplier", "combination", "remainder", "positive", "broken"});
+    step.kind = EliminationStep::Kind::outside;
+    step.index = in["outside"].integer();
+    step.formula = in["multiplier"].integer();
+    step.combination = read_combination(in["combination"]);
+    step.remainder = in["remainder"].integer();
+    step.positive = in["positive"].list(read_pieces);
+    step.broken = in["broken"].list(read_pieces);
+  }
+  return step;
+}
+
 Proof read_proof(const Reader& in) {
   if (in.is_text()) {
     if (in.text() != "computation") in.fail("a proof");
@@ -223,6 +277,7 @@ Proof read_proof(const Reader& in) {
   if (kind == "pieces") return read_pieces(in["pieces"]);
   if (kind == "witness") return read_witness(in["witness"]);
   if (kind == "roots") return read_roots(in["roots"]);
+  if (kind == "elimination") return Elimination{in["elimination"].list(read_elimination_step)};
   return read_wrong_solution(in["wrong_solution"]);
 }
 

@@ -108,6 +108,25 @@ struct Solutions {
   bool operator==(const Solutions&) const = default;
 };
 
+/// At every point of (the domain) x (every real value of those unknowns that belong to no factor of
+/// it) that meets the conditions of the domain and at which every formula of `system` vanishes for
+/// all real values of the variables `for_all`, the unknowns x are one of `solutions`:
+/// denominators[j] * x_j = numerators[j] for all j, for one of them. Those are formulas in the
+/// variables of factors that are no unknowns, the parameters; the conditions may hold unknowns.
+struct OnlySolutions {
+  struct Tuple {
+    std::vector<Term> numerators, denominators;  ///< one an unknown
+    bool operator==(const Tuple&) const = default;
+  };
+  std::vector<Term> system;
+  std::vector<std::string> unknowns;
+  std::vector<std::string> for_all;
+  Domain domain;
+  std::vector<Tuple> solutions;
+
+  bool operator==(const OnlySolutions&) const = default;
+};
+
 /// Patches glued along sides. Patch i is a disc whose corners are numbered from 0 to
 /// its count less 1 and whose side s runs from corner `from` to corner `to`.
 /// Says: every side lies on exactly one seam, the whole is connected, and
@@ -136,7 +155,7 @@ struct Distinct {
   bool operator==(const Distinct&) const = default;
 };
 
-using Obligation = std::variant<Zero, Sign, Solutions, Gluing, Distinct>;
+using Obligation = std::variant<Zero, Sign, Solutions, OnlySolutions, Gluing, Distinct>;
 
 /// A combination of obligations. `all` of nothing holds; `any` of nothing fails.
 struct Goal {

@@ -29,6 +29,11 @@ std::vector<std::string> declared_variables(const Statement& statement) {
       append(solutions->for_all);
       append({solutions->unknown});
     }
+    if (const auto* only = std::get_if<certificate::OnlySolutions>(&obligation)) {
+      for (const auto& factor : only->domain.factors) append(factor.variables);
+      append(only->for_all);
+      append(only->unknowns);
+    }
   }
   return names;
 }

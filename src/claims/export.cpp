@@ -113,6 +113,21 @@ class Exporter {
       result.solutions.push_back({-1, low.get_str(), high.get_str()});
     return result;
   }
+  certificate::Obligation obligation(const symbolic::OnlySolutions& s) {
+    certificate::OnlySolutions result;
+    result.system = terms(s.system);
+    result.unknowns = s.unknowns;
+    result.for_all = s.for_all;
+    result.domain = domain(s.domain);
+    for (const auto& solution : s.solutions) {
+      auto& [numerators, denominators] = result.solutions.emplace_back();
+      for (const auto& [numerator, denominator] : solution) {
+        numerators.push_back(term(numerator));
+        denominators.push_back(term(denominator));
+      }
+    }
+    return result;
+  }
   certificate::Obligation obligation(const certificate::Gluing& g) { return g; }
   certificate::Obligation obligation(const symbolic::Distinct& d) {
     certificate::Distinct result;
@@ -223,6 +238,12 @@ class Exporter {
   }
   static std::string describe(const symbolic::Solutions& s) {
     return std::to_string(s.exact.size() + s.near.size()) + " solutions in " + s.unknown;
+  }
+  static std::string describe(const symbolic::OnlySolutions& s) {
+    std::string names;
+    for (const std::string& unknown : s.unknowns)
+      names += (names.empty() ? "" : ", ") + unknown;
+    return std::to_string(s.solutions.size()) + " solutions in " + names;
   }
   static std::string describe(const certificate::Gluing& g) {
     return std::to_string(g.patches.size()) + " patches, " + std::to_string(g.seams.size()) +

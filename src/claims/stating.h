@@ -37,9 +37,14 @@ class Stating {
   /// to it.
   Proposition holds(const Formula&, Relation, const Context&, const Expression& at,
                     const std::string& about = {});
+  /// What these variables and those of the conditions range over; all reals in halves.
+  std::vector<symbolic::Domain> domains(const std::set<std::string>& variables, const Context&,
+                                        const Expression& at);
   /// `a operation b` as `formula relation 0`, with guards for the divisors.
   symbolic::Constraint compared(const Scalar& a, const std::string& operation, const Scalar& b,
                                 const Context&, const Expression& at);
+  /// What the value is divided by is nowhere 0.
+  void guard_divisors(const Scalar&, const Context&, const Expression& at);
   /// A statement as a conjunction of constraints, if it is one.
   std::optional<std::vector<symbolic::Constraint>> constraints(const Expression&, const Scope&,
                                                                const Context&, bool positive);
@@ -60,6 +65,13 @@ class Stating {
   std::set<std::string> predicates;
 
  private:
+  /// A domain, and variables beside it that range over all reals.
+  struct Range {
+    symbolic::Domain domain;
+    std::vector<std::string> lines;
+  };
+  Range range(const std::set<std::string>& variables, const Context&, const Expression& at);
+  static std::vector<symbolic::Domain> halved(const Range&);
   Proposition compare(const Expression&, const Value& a, const std::string& operation,
                       const Value& b, const Context&, bool positive);
   Proposition compare_extremum(const Expression&, const Extremum&, const std::string& operation,
@@ -68,7 +80,6 @@ class Stating {
                       const std::vector<Value>& b, const std::string& operation, const Context&,
                       bool positive);
   std::optional<exact::Sign> sample_sign(const Formula&, const Context&);
-  void guard_divisors(const Scalar&, const Context&, const Expression& at);
 };
 
 /// The numbers that a printed decimal is a correct rounding of: half a unit of its last digit
