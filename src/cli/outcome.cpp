@@ -79,7 +79,8 @@ const char* negated_sign(certificate::Relation relation) {
 }
 
 std::string kind_of(const certificate::Obligation& obligation) {
-  static const char* const names[] = {"zero", "sign", "solutions", "gluing", "distinct"};
+  static const char* const names[] = {"zero",      "sign",   "solutions",
+                                      "solutions", "gluing", "distinct"};
   return names[obligation.index()];
 }
 
@@ -109,6 +110,10 @@ Summary summary_of(const certificate::Obligation& obligation, const certificate:
     return {"witness", "witness " + point_text(witness->point, formulas)};
   if (std::holds_alternative<certificate::Roots>(proof))
     return {"roots", "greatest common divisor and its roots"};
+  if (const auto* elimination = std::get_if<certificate::Elimination>(&proof))
+    return {"elimination",
+            "elimination, " + std::to_string(elimination->steps.size()) +
+                (elimination->steps.size() == 1 ? " step" : " steps")};
   return {"witness", "a wrong solution"};
 }
 
@@ -129,6 +134,8 @@ std::string witness_of(const Statement& statement, const Evidence& evidence,
       return wrong->claimed < 0 ? value + " is a solution too" : value + " is no solution";
     }
     if (const auto* witness = std::get_if<certificate::Witness>(&evidence.proofs[i])) {
+      if (std::holds_alternative<certificate::OnlySolutions>(statement.obligations[i]))
+        return point_text(witness->point, formulas) + " is a solution too";
       const auto* sign = std::get_if<certificate::Sign>(&statement.obligations[i]);
       const Formula formula = formulas(
           sign ? sign->formula : std::get<certificate::Zero>(statement.obligations[i]).formula);
