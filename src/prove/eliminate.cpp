@@ -123,11 +123,12 @@ bool Eliminator::solve(Facts facts) {
   }
 }
 
-// The equation and the variable of lowest degree: unknowns before parameters, sure initials before
-// others, short equations before long ones. Products are left alone.
+// The equation and the variable of lowest degree: sure initials before others, short equations
+// before long ones. Products are left alone; a parameter is solved for only where no unknown is left,
+// for what is known of its domain would be lost.
 std::optional<Eliminator::Pivot> Eliminator::choose(const Facts& facts, bool linear) {
   struct Candidate {
-    std::array<long, 3> rank;
+    std::array<long, 2> rank;
     Pivot pivot;
   };
   std::vector<Candidate> candidates;
@@ -138,8 +139,9 @@ std::optional<Eliminator::Pivot> Eliminator::choose(const Facts& facts, bool lin
     for (int v = 0; v < std::ssize(f.ring().variables()); ++v) {
       const int degree = f.degree(v);
       if (degree < 1 || (linear && degree > 1)) continue;
-      const bool is_parameter = std::ranges::count(stated_->unknowns, v) == 0;
-      candidates.push_back({{degree, is_parameter ? 1 : 0, terms}, {i, v, degree, false}});
+      const bool is_unknown = std::ranges::count(stated_->unknowns, v) > 0;
+      if (is_unknown || f.degree(stated_->unknowns) < 1)
+        candidates.push_back({{degree, terms}, {i, v, degree, false}});
     }
   }
   std::ranges::stable_sort(candidates, {}, &Candidate::rank);

@@ -11,6 +11,28 @@
 namespace seam::certificate {
 namespace {
 
+// One step of every kind.
+Elimination elimination() {
+  const Pieces tree{{{}}, Relation::negative, -1, -1};
+  Elimination result;
+  result.steps.resize(4);
+  result.steps[0].combination = {{0, 2}, {1, 3}};
+  result.steps[0].factors = {{2, 1, -1, {tree}}, {3, 2, -1, {}}, {4, 1, 0, {}}};
+  result.steps[1].kind = EliminationStep::Kind::cases;
+  result.steps[1].formula = 5;
+  result.steps[2].kind = EliminationStep::Kind::solution;
+  result.steps[2].index = 1;
+  result.steps[2].equations = {3};
+  result.steps[3].kind = EliminationStep::Kind::outside;
+  result.steps[3].index = 1;
+  result.steps[3].formula = 2;
+  result.steps[3].combination = {{1}, {4}};
+  result.steps[3].remainder = 6;
+  result.steps[3].positive = {tree, tree};
+  result.steps[3].broken = {tree};
+  return result;
+}
+
 // One entry of every kind.
 Certificate example() {
   Certificate c;
@@ -29,7 +51,8 @@ Certificate example() {
       Solutions{{2, 4}, "u", {"v", "w"}, segment, {{3, {}, {}}, {-1, "0", "1/2"}}},
       Gluing{{{{0, 1}, {1, 0}}, {{0, 1}, {1, 0}}}, {{0, 0, 1, 0, true}, {0, 1, 1, 1}}, 2},
       Distinct{{{0, 1}, {1, 0}}},
-      Zero{0}};
+      Zero{0},
+      OnlySolutions{{2}, {"v"}, {"w"}, {{segment}, {{5, Relation::positive}}}, {{{3}, {0}}}}};
   s.guards = {0, 3};
   s.goal = {Goal::Kind::all,
             {{Goal::Kind::obligation, {}, 0},
@@ -50,7 +73,8 @@ Certificate example() {
                        Roots{1, {2}, {3, 4}, {1, 2}, 5, {pieces}, {pieces, square}},
                        Nothing{"time", "no more"},
                        Witness{point, {point}},
-                       WrongSolution{3, -1}};
+                       WrongSolution{3, -1},
+                       elimination()};
   return c;
 }
 
