@@ -168,8 +168,35 @@ struct Elimination {
   bool operator==(const Elimination&) const = default;
 };
 
-using Proof =
-    std::variant<Nothing, Computation, Pieces, Witness, Roots, WrongSolution, Elimination>;
+/// A box: low[j] <= x_j <= high[j], rationals.
+struct Box {
+  std::vector<std::string> low, high;
+  bool operator==(const Box&) const = default;
+};
+
+/// OneSolution, in n unknowns, by a zero of n polynomials G_i = sum combination[i][j] * F_j, the F_j as in
+/// Roots; there are n of them, and the determinant of the combination is not 0.
+///
+/// A solution lies in the box `inner`, which lies in the domain: G_i < 0 where x_i is lowest there, G_i > 0
+///   where it is highest (`faces`: two trees for each i, over the segments of the other unknowns in their order); and each
+///   condition holds all over it (`conditions`, one tree each).
+/// The box `outer`, which holds `inner`, has one at most: for each i, and each choice of signs, the derivative of
+///   G_i with respect to x_i plus those with respect to the others, times the signs, is > 0 there (`dominance`: for each i, 2^(n-1)
+///   trees; bit k of the number of a tree set: the sign at the k-th of the others, in their order, is -).
+/// All solutions lie in `outer`: `cover` has two trees for each j, for x_j - low_j >= 0 and high_j - x_j >= 0 over the
+///   domain, cut by its conditions, then F_1 = 0, ..., F_n = 0, then G_1 = 0, ..., G_n = 0.
+/// With the inner box in that of the statement this shows it. With an inner box apart from that, it
+/// refutes, and only inner box, faces and conditions are looked at. With no boxes and no combination, and `cover` one tree for
+/// -1 >= 0 there (without the G), there is no solution: it refutes.
+struct Isolation {
+  std::vector<std::vector<std::string>> combination;  ///< rationals
+  Box inner, outer;
+  std::vector<Pieces> faces, conditions, dominance, cover;
+  bool operator==(const Isolation&) const = default;
+};
+
+using Proof = std::variant<Nothing, Computation, Pieces, Witness, Roots, WrongSolution,
+                           Elimination, Isolation>;
 
 /// One proof an obligation, in order. Its own numbers and formulas extend those of the
 /// statement: nodes are numbered on from `Statement::nodes`.

@@ -110,6 +110,14 @@ class Terms {
     }
   }
 
+  void operator()(const OneSolution& one) const {
+    demand_terms(one.system);
+    std::ranges::for_each(one.domain.factors, *this);
+    for (const Constraint& constraint : one.domain.where) demand_term(constraint.formula);
+    (*this)(Box{one.low, one.high});
+    demand(one.low.size() == one.unknowns.size(), "not one interval for each unknown");
+  }
+
   void operator()(const Gluing& gluing) const {
     for (const auto& sides : gluing.patches)
       for (const auto& [from, to] : sides) {
@@ -190,6 +198,23 @@ class Terms {
     demand(step.index >= 0, "a step of a negative index");
     std::ranges::for_each(step.positive, *this);
     std::ranges::for_each(step.broken, *this);
+  }
+
+  void operator()(const Box& box) const {
+    demand(box.low.size() == box.high.size(), "a box with an interval of one end");
+    for (const auto* ends : {&box.low, &box.high})
+      demand(std::ranges::all_of(*ends, is_rational),
+             "the ends of an interval are not rational");
+  }
+
+  void operator()(const Isolation& isolation) const {
+    for (const auto& row : isolation.combination)
+      demand(std::ranges::all_of(row, is_rational), "an entry of a matrix is not rational");
+    (*this)(isolation.inner);
+    (*this)(isolation.outer);
+    for (const auto* trees :
+         {&isolation.faces, &isolation.conditions, &isolation.dominance, &isolation.cover})
+      std::ranges::for_each(*trees, *this);
   }
 
   void operator()(const Elimination& elimination) const {

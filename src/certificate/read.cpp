@@ -124,6 +124,16 @@ OnlySolutions read_only_solutions(const Reader& in) {
           in["solutions"].list(read_tuple)};
 }
 
+OneSolution read_one_solution(const Reader& in) {
+  in.members({"system", "unknowns", "for_all", "factors", "where", "low", "high"});
+  return {in["system"].integers(),
+          in["unknowns"].texts(),
+          in["for_all"].texts(),
+          {in["factors"].list(read_simplex), in["where"].list(read_constraint)},
+          in["low"].texts(),
+          in["high"].texts()};
+}
+
 Gluing::Side read_side(const Reader& in) {
   const std::vector<int> ends = in.integers();
   if (ends.size() != 2) in.fail("two corners");
@@ -148,6 +158,7 @@ Obligation read_obligation(const Reader& in) {
   if (kind == "sign") return read_sign(in["sign"]);
   if (kind == "solutions") return read_solutions(in["solutions"]);
   if (kind == "only_solutions") return read_only_solutions(in["only_solutions"]);
+  if (kind == "one_solution") return read_one_solution(in["one_solution"]);
   if (kind == "gluing") return read_gluing(in["gluing"]);
   return Distinct{in["distinct"].list([](const Reader& tuple) { return tuple.integers(); })};
 }
@@ -267,6 +278,22 @@ EliminationStep read_elimination_step(const Reader& in) {
   return step;
 }
 
+Box read_box(const Reader& in) {
+  in.members({"low", "high"});
+  return {in["low"].texts(), in["high"].texts()};
+}
+
+Isolation read_isolation(const Reader& in) {
+  in.members({"combination", "inner", "outer", "faces", "conditions", "dominance", "cover"});
+  return {in["combination"].list([](const Reader& row) { return row.texts(); }),
+          read_box(in["inner"]),
+          read_box(in["outer"]),
+          in["faces"].list(read_pieces),
+          in["conditions"].list(read_pieces),
+          in["dominance"].list(read_pieces),
+          in["cover"].list(read_pieces)};
+}
+
 Proof read_proof(const Reader& in) {
   if (in.is_text()) {
     if (in.text() != "computation") in.fail("a proof");
@@ -278,6 +305,7 @@ Proof read_proof(const Reader& in) {
   if (kind == "witness") return read_witness(in["witness"]);
   if (kind == "roots") return read_roots(in["roots"]);
   if (kind == "elimination") return Elimination{in["elimination"].list(read_elimination_step)};
+  if (kind == "isolation") return read_isolation(in["isolation"]);
   return read_wrong_solution(in["wrong_solution"]);
 }
 

@@ -114,6 +114,17 @@ Json to_json(const OnlySolutions& only) {
             {"solutions", list(only.solutions)}}}};
 }
 
+Json to_json(const OneSolution& one) {
+  return {{"one_solution",
+           {{"system", list(one.system)},
+            {"unknowns", list(one.unknowns)},
+            {"for_all", list(one.for_all)},
+            {"factors", list(one.domain.factors)},
+            {"where", list(one.domain.where)},
+            {"low", list(one.low)},
+            {"high", list(one.high)}}}};
+}
+
 Json to_json(const Gluing& gluing) {
   return {{"gluing",
            {{"patches", list(gluing.patches)},
@@ -235,6 +246,21 @@ Json to_json(const EliminationStep& step) {
 
 Json to_json(const Elimination& elimination) {
   return {{"elimination", list(elimination.steps)}};
+}
+
+Json to_json(const Box& box) {
+  return {{"low", list(box.low)}, {"high", list(box.high)}};
+}
+
+Json to_json(const Isolation& isolation) {
+  return {{"isolation",
+           {{"combination", list(isolation.combination)},
+            {"inner", to_json(isolation.inner)},
+            {"outer", to_json(isolation.outer)},
+            {"faces", trees(isolation.faces)},
+            {"conditions", trees(isolation.conditions)},
+            {"dominance", trees(isolation.dominance)},
+            {"cover", trees(isolation.cover)}}}};
 }
 
 template <typename... Kinds>

@@ -128,6 +128,15 @@ class Exporter {
     }
     return result;
   }
+  certificate::Obligation obligation(const symbolic::OneSolution& s) {
+    certificate::OneSolution result{
+        terms(s.system), s.unknowns, s.for_all, domain(s.domain), {}, {}};
+    for (const auto& [low, high] : s.near) {
+      result.low.push_back(low.get_str());
+      result.high.push_back(high.get_str());
+    }
+    return result;
+  }
   certificate::Obligation obligation(const certificate::Gluing& g) { return g; }
   certificate::Obligation obligation(const symbolic::Distinct& d) {
     certificate::Distinct result;
@@ -239,11 +248,16 @@ class Exporter {
   static std::string describe(const symbolic::Solutions& s) {
     return std::to_string(s.exact.size() + s.near.size()) + " solutions in " + s.unknown;
   }
-  static std::string describe(const symbolic::OnlySolutions& s) {
+  static std::string joined(const std::vector<std::string>& unknowns) {
     std::string names;
-    for (const std::string& unknown : s.unknowns)
-      names += (names.empty() ? "" : ", ") + unknown;
-    return std::to_string(s.solutions.size()) + " solutions in " + names;
+    for (const std::string& unknown : unknowns) names += (names.empty() ? "" : ", ") + unknown;
+    return names;
+  }
+  static std::string describe(const symbolic::OnlySolutions& s) {
+    return std::to_string(s.solutions.size()) + " solutions in " + joined(s.unknowns);
+  }
+  static std::string describe(const symbolic::OneSolution& s) {
+    return "one solution in " + joined(s.unknowns);
   }
   static std::string describe(const certificate::Gluing& g) {
     return std::to_string(g.patches.size()) + " patches, " + std::to_string(g.seams.size()) +

@@ -41,10 +41,9 @@ class Together {
   explicit Together(const Solving& solving) : solving_(solving), stating_(solving.stating) {}
 
   Proposition state() {
-    if (solving_.at.text == "one")
-      throw Unsupported("'gives one' with several unknowns or with parameters");
     read_sets();
     read_conditions();
+    if (solving_.at.text == "one") return one();
     for (const Expression& solution : solving_.solutions()) read(solution);
     std::vector<Proposition> parts;
     for (std::size_t k = 0; k < tuples_.size(); ++k) put_in(k, parts);
@@ -96,6 +95,34 @@ class Together {
         else
           conditions_.push_back(c);
     }
+  }
+
+  Proposition one() {
+    if (factors_.size() != solving_.unknowns.size())
+      throw Unsupported("'gives one' where an unknown ranges over all reals");
+    symbolic::OneSolution stated{
+        equations_, solving_.unknowns, solving_.for_all, {factors_, conditions_}, {}};
+    std::set<std::string> parameters;
+    for (const Formula& f : equations_) parameters.merge(symbolic::variables(f));
+    for (const Constraint& c : conditions_) parameters.merge(symbolic::variables(c.formula));
+    for (const auto* bound : {&solving_.unknowns, &solving_.for_all})
+      for (const std::string& symbol : *bound) parameters.erase(symbol);
+    if (!parameters.empty() || !solving_.around.where.empty())
+      throw Unsupported("'gives one' with parameters");
+    if (solving_.solutions().empty())
+      throw Unsupported("'gives one' without a printed value ('gives one ~ 0.617')");
+    const Expression& printed = solving_.solutions().front();
+    if (solving_.unknowns.size() == 1) {
+      stated.near.push_back(printed_range(printed));
+    } else {
+      if (printed.kind != Expression::Kind::tuple ||
+          printed.children.size() != solving_.unknowns.size())
+        fail(printed, "a solution has one value for each unknown, here " +
+                          std::to_string(solving_.unknowns.size()));
+      for (const Expression& entry : printed.children)
+        stated.near.push_back(printed_range(entry));
+    }
+    return symbolic::atom(std::move(stated), "this solution and no other");
   }
 
   void read(const Expression& solution) {

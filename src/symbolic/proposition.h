@@ -68,6 +68,12 @@ struct OnlySolutions {
   /// By solution and unknown: numerator and denominator.
   std::vector<std::vector<std::pair<Formula, Formula>>> solutions;
 };
+struct OneSolution {
+  std::vector<Formula> system;
+  std::vector<std::string> unknowns, for_all;
+  Domain domain;
+  std::vector<std::pair<exact::Rational, exact::Rational>> near;  ///< one an unknown
+};
 struct Distinct {
   std::vector<Point> tuples;
 };
@@ -79,13 +85,13 @@ struct Proposition {
   Kind kind = Kind::all;
   std::string about;
   std::vector<Proposition> parts;
-  std::variant<Zero, Sign, Solutions, OnlySolutions, Gluing, Distinct> atom;
+  std::variant<Zero, Sign, Solutions, OnlySolutions, OneSolution, Gluing, Distinct> atom;
 };
 
 Proposition all(std::vector<Proposition> parts, std::string about = {});
 Proposition any(std::vector<Proposition> parts, std::string about = {});
 Proposition negation(Proposition part, std::string about = {});
-Proposition atom(std::variant<Zero, Sign, Solutions, OnlySolutions, Gluing, Distinct> statement,
+Proposition atom(std::variant<Zero, Sign, Solutions, OnlySolutions, OneSolution, Gluing, Distinct> statement,
                  std::string about = {});
 
 Proposition truth();      ///< all of nothing

@@ -52,7 +52,8 @@ Certificate example() {
       Gluing{{{{0, 1}, {1, 0}}, {{0, 1}, {1, 0}}}, {{0, 0, 1, 0, true}, {0, 1, 1, 1}}, 2},
       Distinct{{{0, 1}, {1, 0}}},
       Zero{0},
-      OnlySolutions{{2}, {"v"}, {"w"}, {{segment}, {{5, Relation::positive}}}, {{{3}, {0}}}}};
+      OnlySolutions{{2}, {"v"}, {"w"}, {{segment}, {{5, Relation::positive}}}, {{{3}, {0}}}},
+      OneSolution{{2}, {"u"}, {"w"}, {{segment}, {{5, Relation::positive}}}, {"0"}, {"1/2"}}};
   s.guards = {0, 3};
   s.goal = {Goal::Kind::all,
             {{Goal::Kind::obligation, {}, 0},
@@ -74,7 +75,9 @@ Certificate example() {
                        Nothing{"time", "no more"},
                        Witness{point, {point}},
                        WrongSolution{3, -1},
-                       elimination()};
+                       elimination(),
+                       Isolation{{{"1/2"}}, {{"0"}, {"1/3"}}, {{"-1"}, {"2"}}, {pieces, square},
+                                 {pieces}, {square}, {pieces, pieces}}};
   return c;
 }
 
@@ -114,7 +117,7 @@ TEST(Json, lines_are_short_however_long_the_lists) {
   for (int i = 0; i < 1000; ++i) c.statement.nodes.push_back({Node::Kind::sum, {}, {i, 0}, 0});
   c.evidence.nodes.clear();
   c.evidence.generators.clear();
-  c.evidence.proofs.assign(6, Nothing{});
+  c.evidence.proofs.assign(c.statement.obligations.size(), Nothing{});
   const std::string text = write(c);
   EXPECT_EQ(read(text), c);
   std::size_t start = 0;
