@@ -2,15 +2,15 @@
 #include "check/rules.h"
 #include "check/system.h"
 
-// Why there is a solution in the inner box. G is continuous, G_i < 0 on the lower face of x_i and
-// G_i > 0 on the upper one: by the theorem of Poincaré and Miranda all G_i are 0 somewhere in the box.
-// G is an invertible combination of as many F, so all F are 0 there.
+// Why there is a solution in the inner box. G is continuous, G_i < 0 on the lower face of x_i
+// and G_i > 0 on the upper one: by the theorem of Poincaré and Miranda all G_i are 0 somewhere
+// in the box. G is an invertible combination of as many F, so all F are 0 there.
 //
-// Why there is no second one in the outer box. Let G(x) = G(y). For each i the mean value theorem
-// gives a point of the segment, hence of the box, at which the gradient of G_i is orthogonal to
-// x - y. The matrix of these gradients is strictly diagonally dominant: where the diagonal entry plus the others
-// with any signs is positive, it exceeds the sum of their absolute values. Hence it is
-// invertible, and x = y.
+// Why there is no second one in the outer box. Let G(x) = G(y). For each i the mean value
+// theorem gives a point of the segment, hence of the box, at which the gradient of G_i is
+// orthogonal to x - y. The matrix of these gradients is strictly diagonally dominant: where the
+// diagonal entry plus the others with any signs is positive, it exceeds the sum of their
+// absolute values. Hence it is invertible, and x = y.
 //
 // The cover: at a solution all F and all G are 0, so there x_j lies in the outer box.
 

@@ -40,8 +40,8 @@ SystemOfEquations read(Context& context, const OnlySolutions& stated) {
                  context.depends_only_on(denominator, parameters),
              "degenerate: a solution holds more than parameters");
       const Polynomial x = symbol(context.variable(stated.unknowns[j]));
-      solution.push_back(context.ring().difference(context.ring().product(denominator, x),
-                                                   numerator));
+      solution.push_back(
+          context.ring().difference(context.ring().product(denominator, x), numerator));
     }
   }
   return system;

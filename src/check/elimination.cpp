@@ -13,8 +13,10 @@
 //   At the root of the tree all that is known holds at it. Where all that is known holds at the
 //   point and a step follows:
 //
-//   product: the combination is 0 there, hence one of the factors is; not one that a condition or
-//     trees show to be different from 0. So it is a case: all that is known in that child holds.
+//   product: the combination is 0 there, hence one of the factors is; not one that a condition
+//   or
+//     trees show to be different from 0. So it is a case: all that is known in that child
+//     holds.
 //   cases: one of the two children is about it.
 //   outside: multiplier * f = 0 + remainder with multiplier > 0, so f has the sign of the
 //     remainder and breaks its condition. There is no such point.
@@ -210,8 +212,7 @@ class Walk {
 
 }  // namespace
 
-void verify(Context& context, const SystemOfEquations& system,
-            const Elimination& elimination) {
+void verify(Context& context, const SystemOfEquations& system, const Elimination& elimination) {
   Walk(context, system).run(elimination);
 }
 

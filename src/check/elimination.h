@@ -11,9 +11,9 @@ namespace seam::check {
 /// A `certificate::OnlySolutions` in polynomials.
 struct SystemOfEquations {
   std::vector<Polynomial> equations;
-  Region domain;             ///< its conditions may hold `unbounded`
+  Region domain;               ///< its conditions may hold `unbounded`
   std::vector<int> unbounded;  ///< the unknowns that belong to no factor
-  std::set<int> variables;   ///< of the factors, and the unknowns
+  std::set<int> variables;     ///< of the factors, and the unknowns
   /// denominator * x - numerator, by solution and unknown.
   std::vector<std::vector<Polynomial>> solutions;
 };

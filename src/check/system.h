@@ -9,8 +9,8 @@
 
 namespace seam::check {
 
-/// F1, F2, ...: the coefficients of the formulas with respect to the variables `for_all`, in the
-/// order that `certificate::Roots` lays down. At a point all of them are 0 exactly when
+/// F1, F2, ...: the coefficients of the formulas with respect to the variables `for_all`, in
+/// the order that `certificate::Roots` lays down. At a point all of them are 0 exactly when
 /// every formula is, for all real values of these variables. Throws `Open` if a formula
 /// holds a variable that is neither one of these nor one of `others`.
 std::vector<Polynomial> read_system(Context&, const std::vector<certificate::Term>& formulas,

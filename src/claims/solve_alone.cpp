@@ -19,8 +19,7 @@ struct Ends {
   bool open_low = false, open_high = false;
 };
 
-void raise(const Numbers& numbers, Ends& ends, const Formula& bound, bool open,
-           bool lower) {
+void raise(const Numbers& numbers, Ends& ends, const Formula& bound, bool open, bool lower) {
   auto& end = lower ? ends.low : ends.high;
   auto& is_open = lower ? ends.open_low : ends.open_high;
   if (end) {
@@ -31,8 +30,8 @@ void raise(const Numbers& numbers, Ends& ends, const Formula& bound, bool open,
   is_open = open;
 }
 
-// A condition on the unknown as one on its ends: comparisons of the unknown itself with numbers.
-// False if it is of another kind.
+// A condition on the unknown as one on its ends: comparisons of the unknown itself with
+// numbers. False if it is of another kind.
 bool narrow(const Solving& solving, const Expression& e, Ends& ends) {
   if (e.kind == Kind::conjunction)
     return narrow(solving, e.children[0], ends) && narrow(solving, e.children[1], ends);
@@ -137,7 +136,8 @@ std::optional<Proposition> solved_alone(const Solving& solving) {
   std::vector<Formula> exact;
   std::vector<std::pair<Rational, Rational>> near;
   if (is_one)
-    for (const Expression& printed : solving.solutions()) near.push_back(printed_range(printed));
+    for (const Expression& printed : solving.solutions())
+      near.push_back(printed_range(printed));
   else if (!read_numbers(solving, exact))
     return std::nullopt;
   if (is_one && near.empty())
@@ -148,8 +148,7 @@ std::optional<Proposition> solved_alone(const Solving& solving) {
     parts.push_back(in_domain(solving, exact[i], ends, solving.solutions()[i]));
   const Formula cut = near.empty() ? Formula(0) : Formula(Rational(near.front().first - 1));
   for (const Simplex& piece : pieces(ends, unknown, cut)) {
-    symbolic::Solutions solutions{
-        solving.equations, unknown, solving.for_all, piece, {}, {}};
+    symbolic::Solutions solutions{solving.equations, unknown, solving.for_all, piece, {}, {}};
     const bool halves = !ends.low && !ends.high, left = halves && piece.corners[1][1].is(-1);
     for (const Formula& number : exact) {
       const bool on_left = numbers.sign(number - cut) != exact::Sign::positive;

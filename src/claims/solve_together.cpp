@@ -3,9 +3,9 @@
 
 #include "claims/solving.h"
 
-// Each claimed solution solves the system and meets the conditions, for all values of the parameters:
-// that is said by putting it in. That there is no other is one obligation, and one for each
-// choice of sides of 0 of the parameters without a set.
+// Each claimed solution solves the system and meets the conditions, for all values of the
+// parameters: that is said by putting it in. That there is no other is one obligation, and one
+// for each choice of sides of 0 of the parameters without a set.
 
 namespace seam::claims {
 namespace {
@@ -60,26 +60,25 @@ class Together {
         context_.lines.push_back(unknown);
         continue;
       }
-      factors_.push_back(solving_.evaluator().continuous_set(*solving_.sets[j], {unknown},
-                                                             solving_.scope));
+      factors_.push_back(
+          solving_.evaluator().continuous_set(*solving_.sets[j], {unknown}, solving_.scope));
       context_.factors.push_back(factors_.back());
       bound(unknown, factors_.back());
     }
   }
 
-  // Where the unknown lies, as conditions to be met by what is put in for it: it is at one side of
-  // each end.
+  // Where the unknown lies, as conditions to be met by what is put in for it: it is at one side
+  // of each end.
   void bound(const std::string& unknown, const Simplex& set) {
     const Formula x = Formula::symbol(unknown);
     for (const int side : {0, 1}) {
       const auto &corner = set.corners[side], &other = set.corners[1 - side];
       if (corner[0].is(0)) continue;
       const Formula end = corner[1], towards = other[1] - other[0] * end;
-      const bool rising =
-          solving_.evaluator().numbers.sign(towards) == exact::Sign::positive;
+      const bool rising = solving_.evaluator().numbers.sign(towards) == exact::Sign::positive;
       const bool open = set.open[1 - side];  // facet i lies opposite corner i
-      bounds_.push_back({rising ? x - end : end - x,
-                         open ? Relation::positive : Relation::nonnegative});
+      bounds_.push_back(
+          {rising ? x - end : end - x, open ? Relation::positive : Relation::nonnegative});
     }
   }
 
@@ -168,8 +167,7 @@ class Together {
     for (const Constraint& c : bounds_)
       demand(c.formula, c.relation, solving_.around, "it lies in the domain");
     // What is divided by, also where the system does not hold the unknown.
-    for (const Scalar& entry : tuples_[k])
-      stating_.guard_divisors(entry, solving_.around, at);
+    for (const Scalar& entry : tuples_[k]) stating_.guard_divisors(entry, solving_.around, at);
   }
 
   void no_other(std::vector<Proposition>& parts) {

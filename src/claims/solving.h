@@ -9,12 +9,12 @@ namespace seam::claims {
 struct Solving {
   Stating& stating;
   const Expression& at;
-  Context around;                         ///< the quantifiers around it
-  Scope scope;                            ///< with the unknowns
-  std::vector<std::string> unknowns;      ///< their symbols
-  std::vector<const Expression*> sets;    ///< one an unknown; null: every real number
+  Context around;                       ///< the quantifiers around it
+  Scope scope;                          ///< with the unknowns
+  std::vector<std::string> unknowns;    ///< their symbols
+  std::vector<const Expression*> sets;  ///< one an unknown; null: every real number
   std::vector<const Expression*> conditions;
-  std::vector<std::string> for_all;       ///< the F vanish for all real values of these
+  std::vector<std::string> for_all;  ///< the F vanish for all real values of these
   std::vector<Formula> equations;
 
   Evaluator& evaluator() const { return stating.evaluator; }

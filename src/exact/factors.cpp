@@ -7,8 +7,8 @@
 #include "exact/field.h"
 #include "exact/polynomial_body.h"
 
-// The normal form of f is a rational polynomial in variables and generators. What FLINT finds are
-// factors of that, hence of f; each is in normal form, for its degree in a generator is not
+// The normal form of f is a rational polynomial in variables and generators. What FLINT finds
+// are factors of that, hence of f; each is in normal form, for its degree in a generator is not
 // above that of f. A number in front is taken out first, so that it hides no factor.
 
 namespace seam::exact {
@@ -17,8 +17,7 @@ Factors factors(const Polynomial& f) {
   require(!f.is_zero(), "factors: of 0");
   const Ring& ring = f.ring();
   const auto numerators = f.numerators();
-  Factors result{
-      ring.number(numerators.terms.rbegin()->second, numerators.denominator), {}};
+  Factors result{ring.number(numerators.terms.rbegin()->second, numerators.denominator), {}};
   const Polynomial monic = inverse(result.number) * f;
 
   const auto* context = ring.body().context;

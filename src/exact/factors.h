@@ -14,8 +14,8 @@ struct Factors {
   std::vector<std::pair<Polynomial, int>> factors;
 };
 
-/// Over the rationals the factors are irreducible; over a tower some may still be products. Requires
-/// f != 0.
+/// Over the rationals the factors are irreducible; over a tower some may still be products.
+/// Requires f != 0.
 Factors factors(const Polynomial& f);
 
 }  // namespace seam::exact

@@ -4,9 +4,9 @@
 #include "prove/eliminate.h"
 #include "prove/pseudo.h"
 
-// The end of a case: solved equations reduce what a claimed solution says to 0, or a condition to something
-// that breaks it. They are taken in the order in which they were solved: a later one no longer holds
-// the variables of those before.
+// The end of a case: solved equations reduce what a claimed solution says to 0, or a condition
+// to something that breaks it. They are taken in the order in which they were solved: a later
+// one no longer holds the variables of those before.
 
 namespace seam::prove {
 

@@ -7,10 +7,11 @@
 #include "exact/field.h"
 #include "prove/pseudo.h"
 
-// Ritt's method, with the steps written down as they are taken. An equation whose initial in a variable
-// vanishes nowhere reduces all others to lower degrees in that variable; when it is the only one left
-// that holds the variable, it is solved. Before that, products are taken apart, and an initial that may
-// vanish makes two cases. What comes of each step is freed of factors that vanish nowhere.
+// Ritt's method, with the steps written down as they are taken. An equation whose initial in a
+// variable vanishes nowhere reduces all others to lower degrees in that variable; when it is
+// the only one left that holds the variable, it is solved. Before that, products are taken
+// apart, and an initial that may vanish makes two cases. What comes of each step is freed of
+// factors that vanish nowhere.
 //
 // Ends because steps are counted, and a step of the search writes down one of the evidence.
 
@@ -79,11 +80,12 @@ std::optional<certificate::Elimination> Eliminator::run() {
       facts.conditions.push_back({power.base, Relation::nonzero});
     }
   }
-  for (int i = 0; i < std::ssize(stated_->system); ++i) 
-    facts.open.push_back({i, {stated_->system[static_cast<std::size_t>(i)].ring().constant(1), {}}});
+  for (int i = 0; i < std::ssize(stated_->system); ++i)
+    facts.open.push_back(
+        {i, {stated_->system[static_cast<std::size_t>(i)].ring().constant(1), {}}});
   const Outcome begun = refresh(facts);
-  const bool closed = begun == Outcome::closed ||
-                      (begun == Outcome::goes_on && solve(std::move(facts)));
+  const bool closed =
+      begun == Outcome::closed || (begun == Outcome::goes_on && solve(std::move(facts)));
   if (!closed) return std::nullopt;
   return certificate::Elimination{std::move(steps_)};
 }
@@ -124,8 +126,8 @@ bool Eliminator::solve(Facts facts) {
 }
 
 // The equation and the variable of lowest degree: sure initials before others, short equations
-// before long ones. Products are left alone; a parameter is solved for only where no unknown is left,
-// for what is known of its domain would be lost.
+// before long ones. Products are left alone; a parameter is solved for only where no unknown is
+// left, for what is known of its domain would be lost.
 std::optional<Eliminator::Pivot> Eliminator::choose(const Facts& facts, bool linear) {
   struct Candidate {
     std::array<long, 2> rank;
@@ -177,8 +179,7 @@ std::optional<EliminationFactor> Eliminator::sure(const Power& power, const Fact
   }
   auto trees = nonvanishing_.show(power.base, Relation::nonzero, facts.conditions);
   if (!trees) return std::nullopt;
-  return EliminationFactor{workshop_->write(power.base), power.exponent, -1,
-                           std::move(*trees)};
+  return EliminationFactor{workshop_->write(power.base), power.exponent, -1, std::move(*trees)};
 }
 
 void Eliminator::step(const Combination& combination, const Polynomial& multiplier,
@@ -317,8 +318,8 @@ bool Eliminator::distinguish(const Facts& facts, const Polynomial& f) {
     Facts nonzero = facts;
     nonzero.conditions.push_back({power.base, Relation::nonzero});
     const Outcome begun = refresh(nonzero);
-    const bool second = begun == Outcome::closed ||
-                        (begun == Outcome::goes_on && solve(std::move(nonzero)));
+    const bool second =
+        begun == Outcome::closed || (begun == Outcome::goes_on && solve(std::move(nonzero)));
     return first && second;
   }
   return give_up("unsupported", "an initial that is 0");

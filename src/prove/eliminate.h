@@ -11,8 +11,8 @@
 
 namespace seam::prove {
 
-/// A system of equations, all in one ring: the parameters and bounded unknowns (the variables of the
-/// factors), then the unbounded unknowns.
+/// A system of equations, all in one ring: the parameters and bounded unknowns (the variables
+/// of the factors), then the unbounded unknowns.
 struct Equations {
   Factors factors;
   std::vector<std::string> unbounded;
@@ -34,18 +34,20 @@ struct Product {
   std::vector<Power> powers;
 };
 
-/// Splits f, which is not 0, as far as it can be seen; the solutions that are claimed are tried too.
+/// Splits f, which is not 0, as far as it can be seen; the solutions that are claimed are tried
+/// too.
 Product factored(const exact::Polynomial& f, const Equations&);
 
 /// What is known at a node of the search: `certificate::Elimination`.
 struct Facts {
-  /// To be worked on: known equation number `equation`, times a number, is the product of powers,
-  /// any of which may vanish.
+  /// To be worked on: known equation number `equation`, times a number, is the product of
+  /// powers, any of which may vanish.
   struct Open {
     int equation = 0;
     Product product;
   };
-  /// An equation that gives a variable by those not solved before; its initial vanishes nowhere.
+  /// An equation that gives a variable by those not solved before; its initial vanishes
+  /// nowhere.
   struct Solved {
     int variable = 0, equation = 0;
   };
@@ -55,12 +57,12 @@ struct Facts {
   std::vector<Solved> solved;
 };
 
-/// Looks for an elimination: equations are solved for one variable after another, and fall apart
-/// into cases where they are products.
+/// Looks for an elimination: equations are solved for one variable after another, and fall
+/// apart into cases where they are products.
 class Eliminator {
  public:
-  /// `leftover` sees every set of facts that is solved but is no claimed solution, nor excluded.
-  /// It returns true to stop the search.
+  /// `leftover` sees every set of facts that is solved but is no claimed solution, nor
+  /// excluded. It returns true to stop the search.
   using Leftover = std::function<bool(const Facts&)>;
 
   Eliminator(Workshop&, const Equations&, Leftover);

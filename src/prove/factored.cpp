@@ -6,9 +6,10 @@
 #include "prove/eliminate.h"
 #include "prove/pseudo.h"
 
-// Over the rationals factors are found as they are. Over a tower they may be products still: what
-// is claimed to be a solution gives linear factors to try, and a polynomial in one variable
-// is split at its real roots. Each round replaces a base by ones of lower degree, so it ends.
+// Over the rationals factors are found as they are. Over a tower they may be products still:
+// what is claimed to be a solution gives linear factors to try, and a polynomial in one
+// variable is split at its real roots. Each round replaces a base by ones of lower degree, so
+// it ends.
 
 namespace seam::prove {
 
@@ -29,8 +30,7 @@ class Splitting {
       result_.multiplier = result_.multiplier * exact::inverse(base).pow(exponent);
       return;
     }
-    if (base.ring().tower() &&
-        (by_solution(base, exponent) || by_roots(base, exponent)))
+    if (base.ring().tower() && (by_solution(base, exponent) || by_roots(base, exponent)))
       return;
     const auto same = std::ranges::find_if(
         result_.powers, [&](const Power& power) { return power.base == base; });
@@ -48,8 +48,7 @@ class Splitting {
       for (std::size_t j = 0; j < solution.size(); ++j) {
         const int variable = stated_.unknowns[j];
         if (solution[j].degree(variable) != 1 || base.degree(variable) < 1) continue;
-        const auto [power, quotient, remainder] =
-            pseudo_divide(base, solution[j], variable);
+        const auto [power, quotient, remainder] = pseudo_divide(base, solution[j], variable);
         if (!remainder.is_zero() || quotient.is_number()) continue;
         result_.multiplier =
             result_.multiplier * initial(solution[j], variable).pow(power * exponent);
@@ -70,7 +69,8 @@ class Splitting {
     if (base.degree(variable) < 2) return false;
     const exact::RingPtr numbers = exact::Ring::make(base.ring().tower(), {});
     Univariate f;
-    for (const Polynomial& c : exact::univariate(base, variable)) f.push_back(numbers->embed(c));
+    for (const Polynomial& c : exact::univariate(base, variable))
+      f.push_back(numbers->embed(c));
     const Univariate simple = exact::squarefree(f);
     for (const auto& root : exact::real_roots(simple)) {
       const Univariate factor = exact::irreducible_factor(simple, root);

@@ -7,8 +7,8 @@
 
 namespace seam::prove {
 
-/// The inverse of the Jacobian of as many equations as variables at a point, in doubles; empty if it
-/// is nearly singular.
+/// The inverse of the Jacobian of as many equations as variables at a point, in doubles; empty
+/// if it is nearly singular.
 std::vector<std::vector<double>> inverse_jacobian(const std::vector<bernstein::Sketch>&,
                                                   const std::vector<double>& point);
 

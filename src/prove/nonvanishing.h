@@ -9,8 +9,8 @@
 
 namespace seam::prove {
 
-/// Signs of polynomials over a domain, and every real value of further variables, where conditions hold.
-/// All polynomials are in the variables of the factors, then those.
+/// Signs of polynomials over a domain, and every real value of further variables, where
+/// conditions hold. All polynomials are in the variables of the factors, then those.
 class Nonvanishing {
  public:
   using Conditions = std::vector<Question::Condition>;

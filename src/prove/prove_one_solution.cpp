@@ -10,10 +10,10 @@
 #include "prove/strategies.h"
 #include "prove/subdivide.h"
 
-// Newton's method from many points guesses where solutions are. With the inverse of the Jacobian
-// there as the combination, G is nearly x - solution: so its signs on the faces of a small box
-// and its diagonal dominance on a larger one are plain. Boxes are halved until they are; each loop has
-// a bound, and each subdivision a number of pieces.
+// Newton's method from many points guesses where solutions are. With the inverse of the
+// Jacobian there as the combination, G is nearly x - solution: so its signs on the faces of a
+// small box and its diagonal dominance on a larger one are plain. Boxes are halved until they
+// are; each loop has a bound, and each subdivision a number of pieces.
 
 namespace seam::prove {
 
@@ -100,7 +100,8 @@ class OneSolutionProof {
   std::vector<Place> guesses() const {
     std::vector<Place> starts = sample(factors_in_order(), 0, most_starts);
     Place middle;
-    for (const auto& [low, high] : printed_) middle.push_back(Rational((low + high) / 2).get_d());
+    for (const auto& [low, high] : printed_)
+      middle.push_back(Rational((low + high) / 2).get_d());
     starts.insert(starts.begin(), middle);
     std::vector<Place> found;
     for (const Place& start : starts) {
@@ -158,8 +159,8 @@ class OneSolutionProof {
     const exact::RingPtr ring = workshop_.ring(variables(factors));
     for (const int side : {1, -1}) {
       if (!holds(relation, side > 0 ? Sign::positive : Sign::negative)) continue;
-      Question question{factors, ring->embed(Rational(side) * f),
-                        !holds(relation, Sign::zero), {}};
+      Question question{
+          factors, ring->embed(Rational(side) * f), !holds(relation, Sign::zero), {}};
       for (const auto& [formula, is] : where)
         question.where.push_back({ring->embed(formula), is});
       Subdivision subdivision(workshop_, question, {});
@@ -198,8 +199,8 @@ class OneSolutionProof {
     const Factors factors = factors_in_order();
     for (std::size_t j = 0; j < bounds.size(); ++j)
       for (const Rational& x : {bounds[j].first, bounds[j].second}) {
-        const auto l = barycentric(factors[j].corners,
-                                   {numbers->constant(1), numbers->constant(x)});
+        const auto l =
+            barycentric(factors[j].corners, {numbers->constant(1), numbers->constant(x)});
         for (std::size_t i = 0; i < l.size(); ++i) {
           const Sign s = exact::sign(l[i]);
           if (s == Sign::negative || (s == Sign::zero && factors[j].open[i])) return false;
@@ -261,14 +262,13 @@ class OneSolutionProof {
           values.push_back(ring_->variable(static_cast<int>(i)));
         values[j] = ring_->constant(high ? bounds[j].second : bounds[j].first);
         auto tree = show(combined[j].substitute(ring_, values),
-                         high ? Relation::positive : Relation::negative,
-                         factors_of(bounds, j), {}, most_pieces);
+                         high ? Relation::positive : Relation::negative, factors_of(bounds, j),
+                         {}, most_pieces);
         if (!tree) return false;
         result.faces.push_back(std::move(*tree));
       }
     for (const auto& [formula, relation] : conditions_) {
-      auto tree =
-          show(formula, relation, factors_of(bounds, bounds.size()), {}, most_pieces);
+      auto tree = show(formula, relation, factors_of(bounds, bounds.size()), {}, most_pieces);
       if (!tree) return false;
       result.conditions.push_back(std::move(*tree));
     }
@@ -304,9 +304,9 @@ class OneSolutionProof {
     for (std::size_t j = 0; j < n; ++j)
       for (const bool high : {false, true}) {
         const Polynomial x = ring_->variable(static_cast<int>(j));
-        auto tree = show(high ? ring_->constant(bounds[j].second) - x
-                              : x - ring_->constant(bounds[j].first),
-                         Relation::nonnegative, factors_, where, workshop_.budget().effort);
+        auto tree = show(
+            high ? ring_->constant(bounds[j].second) - x : x - ring_->constant(bounds[j].first),
+            Relation::nonnegative, factors_, where, workshop_.budget().effort);
         if (!tree) return false;
         result.cover.push_back(std::move(*tree));
       }
@@ -324,7 +324,8 @@ class OneSolutionProof {
     auto tree = show(ring_->constant(-1), Relation::nonnegative, factors_, solutions({}),
                      workshop_.budget().effort);
     if (!tree)
-      return Nothing{"effort", "no solution was found where one is claimed, nor that there is none"};
+      return Nothing{"effort",
+                     "no solution was found where one is claimed, nor that there is none"};
     Isolation result;
     result.cover.push_back(std::move(*tree));
     return result;

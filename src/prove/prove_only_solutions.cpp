@@ -139,8 +139,8 @@ class Search {
     std::size_t next = 0;
     for (const Factor& factor : stated_.factors)
       if (!lies_in(factor, next)) return false;
-    return std::ranges::all_of(
-               stated_.system, [&](const Polynomial& f) { return value(f).is_zero(); }) &&
+    return std::ranges::all_of(stated_.system,
+                               [&](const Polynomial& f) { return value(f).is_zero(); }) &&
            std::ranges::all_of(stated_.conditions,
                                [&](const Question::Condition& c) {
                                  return holds(c.relation, sign(c.formula));

@@ -23,8 +23,8 @@ PseudoDivision pseudo_divide(const Polynomial& a, const Polynomial& b, int varia
   PseudoDivision result{0, ring.constant(0), a};
   while (result.remainder.degree(variable) >= degree) {
     const int excess = result.remainder.degree(variable) - degree;
-    const Polynomial term = factor * initial(result.remainder, variable) *
-                            ring.variable(variable).pow(excess);
+    const Polynomial term =
+        factor * initial(result.remainder, variable) * ring.variable(variable).pow(excess);
     if (!is_number) {
       ++result.power;
       result.quotient = lead * result.quotient;

@@ -26,7 +26,8 @@ double about(const exact::Polynomial& f, const std::vector<double>& values) {
   double sum = 0;
   for (const auto& [exponents, coordinates] : numerators.terms) {
     double term = exact::ball(f.ring().tower(), coordinates).middle;
-    for (std::size_t i = 0; i < exponents.size(); ++i) term *= std::pow(values[i], exponents[i]);
+    for (std::size_t i = 0; i < exponents.size(); ++i)
+      term *= std::pow(values[i], exponents[i]);
     sum += term;
   }
   return sum / numerators.denominator.get_d();

@@ -87,7 +87,8 @@ TEST_F(OneSolutionRule, the_outer_box_holds_the_inner_one) {
 TEST_F(OneSolutionRule, what_the_outer_box_leaves_out_is_to_be_excluded) {
   shown.outer.low[0] = "1/4";
   EXPECT_OPEN(found(), "do not show the sign");
-  // [0, 1] is halved, and its left half again; where x <= 1/4, F_1 < 0. Part 0 is the right one.
+  // [0, 1] is halved, and its left half again; where x <= 1/4, F_1 < 0. Part 0 is the right
+  // one.
   const std::vector<Term> middle = {one, one};
   shown.cover[0] = pieces({split(0, middle), plain(), split(0, middle), plain(), outside(0)});
   EXPECT_HOLDS(found());

@@ -101,21 +101,21 @@ TEST_F(OnlySolutionsRule, an_equation_of_another_case_is_unknown) {
 
 TEST_F(OnlySolutionsRule, a_factor_that_vanishes_nowhere_is_cancelled) {
   const Term formula = k.product({c, x_less_c});
-  EXPECT_HOLDS(found(stated(formula, {c}),
-                     {product({{0}, {one}}, {by_trees(c, {nonzero(Relation::positive)}),
-                                             a_case(x_less_c)}),
-                      solution(0, {1})}));
+  EXPECT_HOLDS(found(
+      stated(formula, {c}),
+      {product({{0}, {one}}, {by_trees(c, {nonzero(Relation::positive)}), a_case(x_less_c)}),
+       solution(0, {1})}));
 }
 
 TEST_F(OnlySolutionsRule, a_factor_that_vanishes_in_the_domain_is_not) {
   const Term twice = k.difference(k.scaled(2, c), one);
   const Term formula = k.product({twice, x_less_c});
   for (const Relation side : {Relation::positive, Relation::negative})
-    EXPECT_OPEN(found(stated(formula, {c}),
-                      {product({{0}, {one}},
-                               {by_trees(twice, {nonzero(side)}), a_case(x_less_c)}),
-                       solution(0, {1})}),
-                "do not show the sign");
+    EXPECT_OPEN(
+        found(stated(formula, {c}),
+              {product({{0}, {one}}, {by_trees(twice, {nonzero(side)}), a_case(x_less_c)}),
+               solution(0, {1})}),
+        "do not show the sign");
 }
 
 TEST_F(OnlySolutionsRule, a_condition_excludes_a_factor) {
@@ -142,15 +142,15 @@ TEST_F(OnlySolutionsRule, an_unbounded_unknown_takes_two_trees) {
 TEST_F(OnlySolutionsRule, a_linear_factor_does_not_vanish_on_one_side_alone) {
   const Term formula = k.sum({x, one});
   const Pieces tree = nonzero(Relation::positive);
-  EXPECT_OPEN(found(stated(formula, {}),
-                    {product({{0}, {one}}, {by_trees(formula, {tree, tree})})}),
-              "do not show the sign");
+  EXPECT_OPEN(
+      found(stated(formula, {}), {product({{0}, {one}}, {by_trees(formula, {tree, tree})})}),
+      "do not show the sign");
 }
 
 TEST_F(OnlySolutionsRule, a_distinction_gives_an_equation_or_a_condition) {
   const std::vector<EliminationStep> steps = {
-      cases(x), solution(0, {1}),
-      product({{0}, {one}}, {by_condition(x, 0), a_case(x_less_c)}), solution(1, {1})};
+      cases(x), solution(0, {1}), product({{0}, {one}}, {by_condition(x, 0), a_case(x_less_c)}),
+      solution(1, {1})};
   EXPECT_HOLDS(found(stated(shared, {nil, c}), steps));
   auto exchanged = steps;
   std::swap(exchanged[1], exchanged[3]);

@@ -15,7 +15,8 @@ struct Eliminations : testing::Test {
 
   Verdict solve(const std::vector<T>& system, std::vector<std::vector<T>> numerators,
                 std::vector<certificate::Constraint> where = {}) {
-    OnlySolutions stated{{}, {"x", "y"}, {"u"}, {{d.segment("c", "0", "1", true, true)}, {}}, {}};
+    OnlySolutions stated{
+        {}, {"x", "y"}, {"u"}, {{d.segment("c", "0", "1", true, true)}, {}}, {}};
     stated.domain.where = std::move(where);
     for (const T f : system) stated.system.push_back(f.term);
     for (const auto& solution : numerators) {
@@ -63,12 +64,12 @@ TEST_F(Eliminations, no_equation_at_all) {
 
 TEST_F(Eliminations, a_condition_in_factors_excludes_each_of_them) {
   const T product = x * (x - 1) * y;
-  EXPECT_EQ(solve({x * (x - 1) * (x - c), y - x}, {{c, c}},
-                  {{product.term, Relation::nonzero}}),
-            Verdict::proven);
-  EXPECT_EQ(solve({x * (x - 2) * (x - c), y - x}, {{c, c}},
-                  {{product.term, Relation::nonzero}}),
-            Verdict::refuted);
+  EXPECT_EQ(
+      solve({x * (x - 1) * (x - c), y - x}, {{c, c}}, {{product.term, Relation::nonzero}}),
+      Verdict::proven);
+  EXPECT_EQ(
+      solve({x * (x - 2) * (x - c), y - x}, {{c, c}}, {{product.term, Relation::nonzero}}),
+      Verdict::refuted);
 }
 
 TEST_F(Eliminations, an_identity_in_a_variable_gives_a_system) {
