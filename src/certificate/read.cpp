@@ -270,13 +270,17 @@ Reduction read_reduction(const Reader& in) {
     return of_two_parts(multiplier, "multiplier", "positive", "product");
   if (in.has("conjugate")) return of_two_parts(conjugate, "conjugate", "sum", "product");
   if (in.has("cases")) return of_two_parts(cases, "cases", "above", "below");
+  if (in.has("both")) {
+    in.members({"both"});
+    return {both, {}, {}, in["both"].list(read_sign_proof)};
+  }
   in.members({"combination", "cofactors", "parts"});
   return {combination, in["cofactors"].integers(), in["combination"].integers(),
           in["parts"].list(read_sign_proof)};
 }
 
 bool is_reduction(const Reader& in) {
-  return in.has("multiplier") || in.has("conjugate") || in.has("cases") ||
+  return in.has("multiplier") || in.has("conjugate") || in.has("cases") || in.has("both") ||
          in.has("combination");
 }
 

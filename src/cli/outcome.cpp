@@ -109,6 +109,8 @@ Summary summary_of(const certificate::Obligation& obligation, const certificate:
     return {"subdivision", square + "subdivision, " + std::to_string(leaves) +
                                (leaves == 1 ? " piece" : " pieces")};
   }
+  if (std::holds_alternative<certificate::Reduction>(proof))
+    return {"reduction", "reduced to other signs, then subdivision"};
   if (const auto* witness = std::get_if<certificate::Witness>(&proof))
     return {"witness", "witness " + point_text(witness->point, formulas)};
   if (std::holds_alternative<certificate::Roots>(proof))

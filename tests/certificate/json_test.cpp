@@ -73,8 +73,9 @@ Certificate example() {
   using enum Reduction::Kind;
   const Reduction sum = {combination, {6, 0}, {1, 0}, {square, Computation{}}};
   const Reduction inner = {conjugate, {6}, {}, {sum, Computation{}}};
+  const Reduction both_of = {both, {}, {}, {Computation{}, pieces}};
   const Reduction nested = {
-      multiplier, {7}, {}, {pieces, Reduction{cases, {5}, {}, {inner, Computation{}}}}};
+      multiplier, {7}, {}, {pieces, Reduction{cases, {5}, {}, {inner, both_of}}}};
   const Point point = {{"u", "v"}, {6, 7}};
   c.evidence.proofs = {Computation{},
                        square,
