@@ -39,29 +39,29 @@ Mesh mesh(const Call& call, std::size_t i = 0) {
   return call.get<Mesh>(i, "a solid");
 }
 
-List list_of(const std::vector<Point>& points) {
+List list_of(const std::vector<Point>& points, Numbers& numbers) {
   List list;
-  for (const Point& point : points) list.items.push_back(vector_value(point));
+  for (const Point& point : points) list.items.push_back(vector_value(point, numbers));
   return list;
 }
 
-List list_of(const std::vector<std::vector<Point>>& groups) {
+List list_of(const std::vector<std::vector<Point>>& groups, Numbers& numbers) {
   List list;
-  for (const auto& group : groups) list.items.push_back({list_of(group)});
+  for (const auto& group : groups) list.items.push_back({list_of(group, numbers)});
   list.distinct = true;
   return list;
 }
 
 Value vertices(const Call& call) {
-  List list = list_of(mesh(call).vertices);
+  List list = list_of(mesh(call).vertices, call.evaluator.numbers);
   list.distinct = true;
   return {list};
 }
 Value edges(const Call& call) {
-  return {list_of(geometry::edges(mesh(call)))};
+  return {list_of(geometry::edges(mesh(call)), call.evaluator.numbers)};
 }
 Value faces(const Call& call) {
-  return {list_of(geometry::faces(mesh(call)))};
+  return {list_of(geometry::faces(mesh(call)), call.evaluator.numbers)};
 }
 
 Value valence(const Call& call) {
@@ -77,7 +77,8 @@ Value centroid(const Call& call) {
   const auto points =
       value.as<Mesh>() ? value.as<Mesh>()->vertices : as_points(call.evaluator, value, call[0]);
   if (points.empty()) fail(call[0], "no points");
-  return vector_value(geometry::centroid(points, call.evaluator.numbers));
+  Numbers& numbers = call.evaluator.numbers;
+  return vector_value(geometry::centroid(points, numbers), numbers);
 }
 
 Value midpoint(const Call& call) {
@@ -90,7 +91,8 @@ Value midpoint(const Call& call) {
   }
   if (ends.size() != 2 || ends[0].size() != ends[1].size())
     fail(call.at, "expected two points");
-  return vector_value(geometry::centroid(ends, call.evaluator.numbers));
+  Numbers& numbers = call.evaluator.numbers;
+  return vector_value(geometry::centroid(ends, numbers), numbers);
 }
 
 Value dual(const Call& call) {
@@ -167,7 +169,7 @@ Value seams(const Call& call) {
 Value corners(const Call& call) {
   List list;
   for (const auto& corner : glued(call).corners)
-    list.items.push_back(vector_value(corner.point));
+    list.items.push_back(vector_value(corner.point, call.evaluator.numbers));
   return {list};
 }
 

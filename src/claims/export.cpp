@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "exact/contract.h"
+#include "symbolic/atoms.h"
 
 namespace seam::claims {
 namespace {
@@ -66,6 +67,11 @@ class Exporter {
       case Formula::Kind::power:
         result = node(Node::Kind::power, {}, std::move(operands), f.exponent());
         break;
+      case Formula::Kind::root:
+        result = function(f, operands[0]);
+        break;
+      case Formula::Kind::inverse:
+        throw exact::ContractError("exported: a quotient that was not cleared");
       case Formula::Kind::known:
         result = term(f.operands()[0]);
         facts_.insert(facts_.end(), f.facts().begin(), f.facts().end());
@@ -73,6 +79,16 @@ class Exporter {
     }
     terms_.emplace(f.identity(), result);
     return result;
+  }
+
+  // The symbol of a root of a function; roots under it have theirs already.
+  Term function(const Formula& f, Term radicand) {
+    const std::size_t before = atoms_.entries().size();
+    atoms_.add(f);
+    const std::string& name = atoms_[f].name;
+    if (atoms_.entries().size() > before)
+      result_.statement.functions.push_back({name, radicand, f.exponent()});
+    return node(Node::Kind::symbol, name, {}, 0);
   }
 
   std::vector<Term> terms(const Point& point) {
@@ -238,6 +254,7 @@ class Exporter {
   std::unordered_map<const void*, Term> terms_;
   std::vector<Formula> kept_;
   std::vector<Fact> facts_;
+  symbolic::Atoms atoms_;
   std::set<std::string> used_;
   std::map<std::size_t, std::vector<int>> buckets_;
 };

@@ -5,6 +5,7 @@
 #include "claims/stating.h"
 #include "geometry/contact.h"
 #include "geometry/similarity.h"
+#include "symbolic/coefficients.h"
 
 // Predicates of the language by name, and statements that a file defines.
 
@@ -21,7 +22,7 @@ constexpr int max_order = 8;
 struct Arguments {
   Evaluator& evaluator;
   const Expression& at;
-  std::vector<geometry::Sample> samples;
+  geometry::Search search;
   std::vector<Value> values;
 
   const Expression& place(std::size_t i) const { return at.children[i + 1]; }
@@ -60,8 +61,7 @@ Criterion regular(const Arguments& a) {
 
 // Two patches from the first argument on that is one.
 Criterion meeting(const Arguments& a, std::size_t first, const geometry::Condition& condition) {
-  return geometry::along_a_common_side(a.patch(first), a.patch(first + 1), condition,
-                                       a.numbers(), a.samples);
+  return geometry::along_a_common_side(a.patch(first), a.patch(first + 1), condition, a.search);
 }
 Criterion g0(const Arguments& a) {
   return meeting(a, 0, [](const geometry::Contact& c) { return geometry::g0(c); });
@@ -187,45 +187,6 @@ bool mentions_variables(const Proposition& p) {
   return std::ranges::any_of(p.parts, mentions_variables);
 }
 
-// A predicate on patches with parameters of the file, or of a quantifier around, holds for all
-// their values: their sets join the domain of every inequality, and a real without a set is one
-// <= 0 or one >= 0. (An identity says so anyway.)
-Proposition under(Proposition p, const Context& context,
-                  const std::vector<Parameter>& parameters) {
-  for (Proposition& part : p.parts) part = under(std::move(part), context, parameters);
-  if (p.kind != Proposition::Kind::atom) return p;
-  const auto* sign = std::get_if<symbolic::Sign>(&p.atom);
-  if (!sign) return p;
-  std::set<std::string> open = open_variables(p);
-  symbolic::Sign whole = *sign;
-  const auto join = [&](const symbolic::Simplex& factor) {
-    if (std::ranges::none_of(factor.variables, [&](const auto& v) { return open.contains(v); }))
-      return;
-    whole.domain.factors.push_back(factor);
-    for (const std::string& v : factor.variables) open.erase(v);
-  };
-  for (const auto& factor : context.factors) join(factor);
-  for (const Parameter& parameter : parameters)
-    if (parameter.set) join(*parameter.set);
-  if (open.size() > 4)
-    throw Unsupported("a predicate for all values of more than four reals without a set");
-  std::vector<symbolic::Sign> signs{whole};
-  for (const std::string& line : open) {
-    std::vector<symbolic::Sign> halves;
-    for (const symbolic::Sign& part : signs) {
-      for (auto half : {symbolic::whole_line_left(line, 0, false),
-                        symbolic::whole_line_right(line, 0, false)}) {
-        halves.push_back(part);
-        halves.back().domain.factors.push_back(std::move(half));
-      }
-    }
-    signs = std::move(halves);
-  }
-  std::vector<Proposition> parts;
-  for (symbolic::Sign& part : signs) parts.push_back(symbolic::atom(std::move(part), p.about));
-  return parts.size() == 1 ? parts.front() : symbolic::all(std::move(parts), p.about);
-}
-
 bool is_plain_conjunction(const Proposition& p) {
   if (p.kind == Proposition::Kind::atom) return true;
   return p.kind == Proposition::Kind::all && std::ranges::all_of(p.parts, is_plain_conjunction);
@@ -237,6 +198,17 @@ bool are_identities(const std::vector<Proposition>& parts) {
     return part.kind == Proposition::Kind::atom &&
            std::holds_alternative<symbolic::Zero>(part.atom);
   });
+}
+
+// A quotient vanishes where its numerator does.
+geometry::Search searching(const Context& context, Evaluator& evaluator) {
+  const auto vanishes = [&numbers = evaluator.numbers](const Formula& f) {
+    return symbolic::vanishes(scalar_of(f, numbers).numerator, numbers);
+  };
+  geometry::Search search{evaluator.numbers, vanishes, {}};
+  for (const long weight : {1, 3, 8})
+    search.samples.push_back(sample(context, evaluator, weight));
+  return search;
 }
 
 // What has to hold where its failure would not refute the predicate: then the claim is
@@ -294,9 +266,7 @@ Proposition Stating::called(const Expression& e, const Scope& scope, const Conte
     fail(callee, "unknown predicate '" + name + "'",
          near.empty() ? "" : "did you mean '" + near + "'?");
   }
-  Arguments arguments{evaluator, e, {}, {}};
-  for (const long weight : {1, 3, 8})
-    arguments.samples.push_back(sample(context, evaluator, weight));
+  Arguments arguments{evaluator, e, searching(context, evaluator), {}};
   if (static_cast<int>(given) < entry->second.least ||
       static_cast<int>(given) > entry->second.most)
     fail(e, "'" + name + "' takes " + std::to_string(entry->second.least) +
@@ -317,7 +287,7 @@ Proposition Stating::called(const Expression& e, const Scope& scope, const Conte
     throw Unsupported(
         "this predicate for all values of a parameter: it is negated, or not along one pair of "
         "sides that is one curve for all of them");
-  p = under(std::move(p), context, evaluator.parameters);
+  p = settled(std::move(p), context, e);
   collect_guards(p, failure, guards);
   return positive ? p : symbolic::negation(std::move(p));
 }

@@ -5,22 +5,32 @@
 
 #include "exact/polynomial.h"
 #include "symbolic/formula.h"
+#include "symbolic/atoms.h"
 
 namespace seam::symbolic {
 
 /// What formulas are, expanded, in one ring; a shared node is expanded once. Keeps the formulas
-/// alive.
+/// alive. Roots and inverses of functions are variables of the ring, under the names that `Atoms`
+/// gives them. Roots are reduced on the way: no power of one reaches its index.
 class Expansion {
  public:
-  explicit Expansion(exact::RingPtr ring) : ring_(std::move(ring)) {}
+  explicit Expansion(exact::RingPtr ring, Atoms atoms = {});
 
-  /// Requires every symbol of the formula to be one of the ring.
+  /// Requires every symbol and atom of the formula to be one of the ring.
   exact::Polynomial operator()(const Formula&);
   const exact::RingPtr& ring() const { return ring_; }
 
  private:
+  struct Rule {
+    int variable, index;
+    exact::Polynomial radicand;
+  };
   exact::Polynomial compute(const Formula&);
+  exact::Polynomial reduced(exact::Polynomial) const;
+  exact::Polynomial power(const exact::Polynomial& base, int exponent) const;
   exact::RingPtr ring_;
+  Atoms atoms_;
+  std::vector<Rule> rules_;  ///< a radicand holds roots before its own
   std::unordered_map<const void*, std::pair<Formula, exact::Polynomial>> done_;
 };
 
