@@ -60,14 +60,16 @@ struct Pieces {
 /// function of the obligation (and of the radicands of these), one coordinate more: a factor
 /// [0, infinity) after those given, and after the conditions given name^degree - radicand = 0.
 ///
-///   multiplier    h = terms[0]; parts: h > 0; h * f R 0.
+///   multiplier    h = terms[0]; parts: h > 0 (not looked at if R is !=); h * f R 0.
+///   conjugate     h = terms[0]; for R one of > >= (and likewise with < <=: f and h change
+///                 sign). parts: f + h >= 0; f * h R 0.
 ///   cases         a = terms[0]; parts: f R 0 with the condition a >= 0 added to those of the
-///                 region, and with a <= 0 added.
+///                 region, and with a < 0 added.
 ///   combination   parts: f - (sum terms[i] * e_i) R 0, e_i the formula of condition
 ///                 conditions[i]; then for each i, unless that condition is e_i = 0, that
 ///                 terms[i] has the sign, or is 0, that makes terms[i] * e_i help the relation.
 struct Reduction {
-  enum class Kind { multiplier, cases, combination };
+  enum class Kind { multiplier, conjugate, cases, combination };
   Kind kind = Kind::multiplier;
   std::vector<Term> terms;
   std::vector<int> conditions;  ///< combination: indices in the conditions of the region

@@ -232,27 +232,26 @@ SignProof read_sign_proof(const Reader& in);
 // Recursion is bounded: brackets are counted.
 Reduction read_reduction(const Reader& in) {
   using enum Reduction::Kind;
-  if (in.has("combination")) {
-    in.members({"combination", "cofactors", "parts"});
-    return {combination, in["cofactors"].integers(), in["combination"].integers(),
-            in["parts"].list(read_sign_proof)};
-  }
-  if (in.has("cases")) {
-    in.members({"cases", "above", "below"});
-    return {cases,
-            {in["cases"].integer()},
+  const auto of_two_parts = [&in](Reduction::Kind kind, const char* name, const char* first,
+                                  const char* second) -> Reduction {
+    in.members({name, first, second});
+    return {kind,
+            {in[name].integer()},
             {},
-            {read_sign_proof(in["above"]), read_sign_proof(in["below"])}};
-  }
-  in.members({"multiplier", "positive", "product"});
-  return {multiplier,
-          {in["multiplier"].integer()},
-          {},
-          {read_sign_proof(in["positive"]), read_sign_proof(in["product"])}};
+            {read_sign_proof(in[first]), read_sign_proof(in[second])}};
+  };
+  if (in.has("multiplier"))
+    return of_two_parts(multiplier, "multiplier", "positive", "product");
+  if (in.has("conjugate")) return of_two_parts(conjugate, "conjugate", "sum", "product");
+  if (in.has("cases")) return of_two_parts(cases, "cases", "above", "below");
+  in.members({"combination", "cofactors", "parts"});
+  return {combination, in["cofactors"].integers(), in["combination"].integers(),
+          in["parts"].list(read_sign_proof)};
 }
 
 bool is_reduction(const Reader& in) {
-  return in.has("multiplier") || in.has("cases") || in.has("combination");
+  return in.has("multiplier") || in.has("conjugate") || in.has("cases") ||
+         in.has("combination");
 }
 
 Computation read_computation(const Reader& in) {

@@ -172,6 +172,8 @@ Json to_json(const Reduction& reduction) {
     case Reduction::Kind::multiplier:
       return {
           {"multiplier", reduction.terms.at(0)}, {"positive", part(0)}, {"product", part(1)}};
+    case Reduction::Kind::conjugate:
+      return {{"conjugate", reduction.terms.at(0)}, {"sum", part(0)}, {"product", part(1)}};
     case Reduction::Kind::cases:
       return {{"cases", reduction.terms.at(0)}, {"above", part(0)}, {"below", part(1)}};
     case Reduction::Kind::combination:

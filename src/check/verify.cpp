@@ -7,8 +7,9 @@
 
 // Why each rule shows f R 0 at a point of the region.
 //
-//   multiplier    h > 0 there: f and h f have one sign.
-//   cases         a >= 0 or a <= 0 there: the point belongs to one of the two regions.
+//   multiplier    h > 0 there: f and h f have one sign. That f is not 0 follows from any h f.
+//   conjugate     with f + h >= 0, f < 0 makes h > 0 and f h < 0; and f = 0 makes f h = 0.
+//   cases         a >= 0 or a < 0 there: the point belongs to one of the two regions.
 //   combination   f is the rest and the sum of the h_i e_i. With e_i = 0 that is nothing; else
 //                 e_i and h_i have signs for which h_i e_i, added to a number of relation R,
 //                 keeps it.
@@ -74,7 +75,7 @@ void verify_cases(Context& context, const Region& region, const Polynomial& form
   Region half = region;
   half.where.push_back({divider, Relation::nonnegative});
   verify(context, half, formula, relation, cases.parts[0]);
-  half.where.back().relation = Relation::nonpositive;
+  half.where.back().relation = Relation::negative;
   verify(context, half, formula, relation, cases.parts[1]);
 }
 
@@ -121,8 +122,20 @@ void verify(Context& context, const Region& region, const Polynomial& formula,
   switch (reduction.kind) {
     case Reduction::Kind::multiplier: {
       const Polynomial multiplier = read_term(context, region, reduction.terms[0]);
-      verify(context, region, multiplier, Relation::positive, reduction.parts[0]);
+      if (relation != Relation::nonzero)
+        verify(context, region, multiplier, Relation::positive, reduction.parts[0]);
       verify(context, region, context.ring().product(multiplier, formula), relation,
+             reduction.parts[1]);
+      return;
+    }
+    case Reduction::Kind::conjugate: {
+      const int side = direction(relation);
+      demand(side != 0, "a conjugate shows neither that a formula is 0 nor that it is not");
+      const Polynomial conjugate = read_term(context, region, reduction.terms[0]);
+      verify(context, region, context.ring().sum(conjugate, formula),
+             side > 0 ? Relation::nonnegative : Relation::nonpositive, reduction.parts[0]);
+      verify(context, region, context.ring().product(conjugate, formula),
+             holds(relation, 0) ? Relation::nonnegative : Relation::positive,
              reduction.parts[1]);
       return;
     }

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "claims/denominator.h"
+#include "symbolic/denominator.h"
 #include "claims/stating.h"
 #include "symbolic/approximate.h"
 #include "symbolic/atoms.h"
@@ -183,7 +183,7 @@ void Stating::guard(const Scalar& value, const Context& context, const Expressio
 std::optional<exact::Sign> Stating::guard_denominator(const Formula& denominator,
                                                       const Context& context,
                                                       const Expression& at) {
-  const Factors all = factors(denominator);
+  const symbolic::Factors all = symbolic::factors(denominator);
   bool negative = all.constant < 0;
   for (const auto& [factor, exponent] : all.powers) {
     if (exponent % 2 == 0 || factor.kind() == Formula::Kind::root) continue;

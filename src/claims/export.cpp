@@ -24,6 +24,9 @@ class Exporter {
   explicit Exporter(const Numbers& numbers) : numbers_(numbers) {}
 
   Exported run(const Stated& stated) {
+    gather(stated.goal);
+    for (const Proposition& guard : stated.guards) gather(guard);
+    field_ = &numbers_.field(names_);
     result_.statement.goal = goal(stated.goal);
     for (const Proposition& guard : stated.guards) add_guard(guard);
     // Facts may bring formulas with facts of their own.
@@ -55,6 +58,11 @@ class Exporter {
         result = node(Node::Kind::constant, f.value().get_str(), {}, 0);
         break;
       case Formula::Kind::symbol:
+        if (const auto other = field_->dependent.find(f.name());
+            other != field_->dependent.end()) {
+          result = term(other->second);
+          break;
+        }
         if (symbolic::is_generator(f.name())) used_.insert(f.name());
         result = node(Node::Kind::symbol, f.name(), {}, 0);
         break;
@@ -212,8 +220,46 @@ class Exporter {
     add_guard(symbolic::atom(symbolic::Sign{fact.formula, relation, {}}, "what a number is"));
   }
 
+  // The generators that formulas and their facts hold, so that the field of them all is known before
+  // the first term is written.
+  void gather(const Formula& f) {
+    if (!gathered_.insert(f.identity()).second) return;
+    if (f.kind() == Formula::Kind::symbol) names_.insert(f.name());
+    for (const Formula& operand : f.operands()) gather(operand);
+    for (const Fact& fact : f.facts()) gather(fact.formula);
+  }
+  void gather(const symbolic::Domain& domain) {
+    for (const auto& factor : domain.factors) gather(factor);
+    for (const auto& constraint : domain.where) gather(constraint.formula);
+  }
+  void gather(const symbolic::Simplex& simplex) {
+    for (const Point& corner : simplex.corners) gather(corner);
+  }
+  void gather(const Point& point) {
+    for (const Formula& f : point) gather(f);
+  }
+  void gather(const symbolic::Zero& z) { gather(z.formula); }
+  void gather(const symbolic::Sign& s) {
+    gather(s.formula);
+    gather(s.domain);
+  }
+  void gather(const symbolic::Solutions& s) {
+    gather(s.system);
+    gather(s.domain);
+    gather(s.exact);
+  }
+  void gather(const certificate::Gluing&) {}
+  void gather(const symbolic::Distinct& d) {
+    for (const Point& tuple : d.tuples) gather(tuple);
+  }
+  void gather(const Proposition& p) {
+    for (const Proposition& part : p.parts) gather(part);
+    if (p.kind == Proposition::Kind::atom)
+      std::visit([this](const auto& atom) { gather(atom); }, p.atom);
+  }
+
   void add_generators() {
-    const auto& all = numbers_.generators();
+    const auto& all = field_->generators;
     for (auto generator = all.rbegin(); generator != all.rend(); ++generator)
       if (used_.contains(generator->name))
         used_.merge(symbolic::symbols(generator->polynomial));
@@ -249,6 +295,9 @@ class Exporter {
   }
 
   const Numbers& numbers_;
+  const Numbers::Field* field_ = nullptr;
+  std::set<const void*> gathered_;
+  std::set<std::string> names_;
   Exported result_;
   std::map<std::tuple<Node::Kind, std::string, std::vector<Term>, int>, Term> interned_;
   std::unordered_map<const void*, Term> terms_;

@@ -287,8 +287,10 @@ Proposition Stating::called(const Expression& e, const Scope& scope, const Conte
     throw Unsupported(
         "this predicate for all values of a parameter: it is negated, or not along one pair of "
         "sides that is one curve for all of them");
+  std::vector<Proposition> necessary;
+  collect_guards(p, failure, necessary);
+  for (Proposition& guard : necessary) guards.push_back(settled(std::move(guard), context, e));
   p = settled(std::move(p), context, e);
-  collect_guards(p, failure, guards);
   return positive ? p : symbolic::negation(std::move(p));
 }
 

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <unordered_map>
 
-#include "claims/denominator.h"
+#include "symbolic/denominator.h"
 
 // Divisors and radicands only ever accumulate: an operation has those of its operands, and
 // a quotient or a root also what it divides by or is the root of. So a value that the
@@ -14,7 +14,12 @@
 namespace seam::claims {
 namespace {
 
+using symbolic::common_denominator;
 using symbolic::Fact;
+using symbolic::factors;
+using symbolic::Factors;
+using symbolic::merged_product;
+using symbolic::product;
 
 void add(std::vector<Formula>& all, const Formula& formula) {
   const bool known = std::ranges::any_of(all, [&](const Formula& f) { return f.same(formula); });
@@ -48,7 +53,7 @@ bool Scalar::is_polynomial() const {
 }
 
 Scalar operator+(const Scalar& a, const Scalar& b) {
-  const Common c = common_denominator(a.denominator, b.denominator);
+  const symbolic::Common c = common_denominator(a.denominator, b.denominator);
   return resting(over(a.numerator * c.beside_a + b.numerator * c.beside_b, c.common), a, b);
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "exact/polynomial.h"
+#include "symbolic/denominator.h"
 #include "symbolic/expand.h"
 
 namespace seam::symbolic {
@@ -27,7 +28,9 @@ Coefficients coefficients(const Formula& f, const std::vector<std::string>& chos
     ring_variables.push_back(entry.name);
     written.emplace(entry.name, entry.formula);
   }
-  Expansion expansion(exact::Ring::make(numbers.tower(), ring_variables), atoms);
+  const Numbers::Field& field = numbers.field(f);
+  Expansion expansion(exact::Ring::make(field.ring->tower(), ring_variables), atoms,
+                      field.values);
   Coefficients result;
   for (const auto& [exponents, coefficient] : expansion(f).coefficients(indices))
     result.emplace(exponents, subst(formula(coefficient), written));
@@ -35,7 +38,7 @@ Coefficients coefficients(const Formula& f, const std::vector<std::string>& chos
 }
 
 bool vanishes(const Formula& f, const Numbers& numbers) {
-  return coefficients(f, {}, numbers).empty();
+  return coefficients(cleared(f).numerator, {}, numbers).empty();
 }
 
 }  // namespace seam::symbolic

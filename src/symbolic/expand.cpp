@@ -13,8 +13,9 @@ using exact::Polynomial;
 using exact::Rational;
 using exact::require;
 
-Expansion::Expansion(exact::RingPtr ring, Atoms atoms)
-    : ring_(std::move(ring)), atoms_(std::move(atoms)) {
+Expansion::Expansion(exact::RingPtr ring, Atoms atoms,
+                     std::map<std::string, Polynomial> values)
+    : ring_(std::move(ring)), atoms_(std::move(atoms)), values_(std::move(values)) {
   for (const Atoms::Entry& entry : atoms_.entries()) {
     if (entry.formula.kind() != Formula::Kind::root) continue;
     const auto& names = ring_->variables();
@@ -65,6 +66,8 @@ Polynomial Expansion::compute(const Formula& formula) {
     case Formula::Kind::constant:
       return ring_->constant(formula.value());
     case Formula::Kind::symbol: {
+      if (const auto number = values_.find(formula.name()); number != values_.end())
+        return ring_->embed(number->second);
       const auto symbol = ring_->symbol(formula.name());
       require(symbol.has_value(), "Expansion: a symbol that the ring does not have");
       return *symbol;

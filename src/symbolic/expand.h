@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
+#include <string>
 #include <unordered_map>
 
 #include "exact/polynomial.h"
@@ -14,7 +16,9 @@ namespace seam::symbolic {
 /// gives them. Roots are reduced on the way: no power of one reaches its index.
 class Expansion {
  public:
-  explicit Expansion(exact::RingPtr ring, Atoms atoms = {});
+  /// `values`: numbers for some of the symbols, over the tower of the ring or a lower one.
+  explicit Expansion(exact::RingPtr ring, Atoms atoms = {},
+                     std::map<std::string, exact::Polynomial> values = {});
 
   /// Requires every symbol and atom of the formula to be one of the ring.
   exact::Polynomial operator()(const Formula&);
@@ -30,6 +34,7 @@ class Expansion {
   exact::Polynomial power(const exact::Polynomial& base, int exponent) const;
   exact::RingPtr ring_;
   Atoms atoms_;
+  std::map<std::string, exact::Polynomial> values_;
   std::vector<Rule> rules_;  ///< a radicand holds roots before its own
   std::unordered_map<const void*, std::pair<Formula, exact::Polynomial>> done_;
 };

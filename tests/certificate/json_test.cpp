@@ -48,8 +48,9 @@ Certificate example() {
   square.cofactor = 7;
   using enum Reduction::Kind;
   const Reduction sum = {combination, {6, 0}, {1, 0}, {square, Computation{}}};
+  const Reduction inner = {conjugate, {6}, {}, {sum, Computation{}}};
   const Reduction nested = {
-      multiplier, {7}, {}, {pieces, Reduction{cases, {5}, {}, {sum, Computation{}}}}};
+      multiplier, {7}, {}, {pieces, Reduction{cases, {5}, {}, {inner, Computation{}}}}};
   const Point point = {{"u", "v"}, {6, 7}};
   c.evidence.proofs = {Computation{},
                        square,

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "claims/denominator.h"
+#include "symbolic/denominator.h"
 #include "symbolic/coefficients.h"
 
 namespace seam::claims {

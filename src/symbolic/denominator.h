@@ -6,9 +6,7 @@
 
 #include "symbolic/formula.h"
 
-namespace seam::claims {
-
-using symbolic::Formula;
+namespace seam::symbolic {
 
 /// A product as it is written: constant * factor^exponent * …, the factors different as trees, no
 /// constants, products or powers among them.
@@ -29,4 +27,10 @@ struct Common {
 };
 Common common_denominator(const Formula& a, const Formula& b);
 
-}  // namespace seam::claims
+/// f = numerator / denominator where it has a value, neither holding inverses outside roots.
+struct Quotient {
+  Formula numerator, denominator;
+};
+Quotient cleared(const Formula&);
+
+}  // namespace seam::symbolic
