@@ -16,7 +16,7 @@ using certificate::OnlySolutions;
 
 SystemOfEquations read(Context& context, const OnlySolutions& stated) {
   SystemOfEquations system;
-  system.domain = make_region(context, {stated.domain.factors, {}});
+  system.domain = make_region(context, {stated.domain.factors, {}}, {});
   std::set<int> parameters = variables(system.domain);
   system.variables = parameters;
   demand(!context.variables(stated.unknowns).empty(), "degenerate: no unknown");
@@ -51,7 +51,7 @@ bool refutes(Context& context, const SystemOfEquations& system, const Point& poi
   const auto sign_at = [&](const Polynomial& formula) {
     return context.tower().sign(value_at(context, formula, point));
   };
-  demand_inside(context, system.domain, point);
+  demand_inside(context, system.domain, {}, point);
   return std::ranges::all_of(system.equations,
                              [&](const Polynomial& f) { return sign_at(f) == 0; }) &&
          std::ranges::all_of(system.solutions, [&](const std::vector<Polynomial>& solution) {

@@ -56,7 +56,7 @@ bool Nonvanishing::may_hold(const Polynomial& f, Relation relation,
   if (f.is_zero()) return holds(relation, Sign::zero);
   bool above = false, below = false;
   for (const auto& point : samples_) {
-    if (!std::ranges::all_of(conditions, [&](const Question::Condition& c) {
+    if (!std::ranges::all_of(conditions, [&](const Condition& c) {
           return holds(c.relation, sign_of(about(c.formula, point)));
         }))
       continue;

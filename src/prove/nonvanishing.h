@@ -13,7 +13,7 @@ namespace seam::prove {
 /// conditions hold. All polynomials are in the variables of the factors, then those.
 class Nonvanishing {
  public:
-  using Conditions = std::vector<Question::Condition>;
+  using Conditions = std::vector<Condition>;
   using Trees = std::vector<certificate::Pieces>;
 
   Nonvanishing(Workshop&, Factors, std::vector<std::string> unbounded);

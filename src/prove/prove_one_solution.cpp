@@ -138,7 +138,7 @@ class OneSolutionProof {
       for (const double share : l)
         if (share * (total > 0 ? 1 : -1) < 0) return false;
     }
-    return std::ranges::all_of(conditions_, [&](const Question::Condition& c) {
+    return std::ranges::all_of(conditions_, [&](const Condition& c) {
       const double value = about(c.formula, place);
       return holds(c.relation, value > 0   ? Sign::positive
                                : value < 0 ? Sign::negative
@@ -155,7 +155,7 @@ class OneSolutionProof {
 
   // Pieces for `f relation 0` over a box, or over the domain with the system as conditions.
   std::optional<Pieces> show(const Polynomial& f, Relation relation, const Factors& factors,
-                             const std::vector<Question::Condition>& where, long pieces) const {
+                             const std::vector<Condition>& where, long pieces) const {
     const exact::RingPtr ring = workshop_.ring(variables(factors));
     for (const int side : {1, -1}) {
       if (!holds(relation, side > 0 ? Sign::positive : Sign::negative)) continue;
@@ -313,7 +313,7 @@ class OneSolutionProof {
     return true;
   }
 
-  std::vector<Question::Condition> solutions(const std::vector<Polynomial>& combined) const {
+  std::vector<Condition> solutions(const std::vector<Polynomial>& combined) const {
     auto where = conditions_;
     for (const auto* formulas : {&equations_, &combined})
       for (const Polynomial& f : *formulas) where.push_back({f, Relation::zero});
@@ -336,7 +336,7 @@ class OneSolutionProof {
   exact::RingPtr ring_;
   Factors factors_;
   std::vector<Polynomial> equations_;
-  std::vector<Question::Condition> conditions_;
+  std::vector<Condition> conditions_;
   Bounds printed_;
   std::vector<bernstein::Sketch> sketches_;
 };

@@ -142,7 +142,7 @@ class Search {
     return std::ranges::all_of(stated_.system,
                                [&](const Polynomial& f) { return value(f).is_zero(); }) &&
            std::ranges::all_of(stated_.conditions,
-                               [&](const Question::Condition& c) {
+                               [&](const Condition& c) {
                                  return holds(c.relation, sign(c.formula));
                                }) &&
            std::ranges::all_of(stated_.solutions, [&](const auto& solution) {

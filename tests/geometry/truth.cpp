@@ -79,13 +79,21 @@ std::vector<Values> grid(const symbolic::Domain& domain) {
 }
 
 bool decide(const symbolic::Zero& zero, const Numbers& numbers) {
-  return vanishes(zero.formula, numbers);
+  return testing::vanishes(zero.formula, numbers);
 }
 
 bool decide(const symbolic::Sign& sign, const Numbers& numbers) {
   return std::ranges::all_of(grid(sign.domain), [&](const Values& values) {
     return in_relation(numbers.sign(subst(sign.formula, values)), sign.relation);
   });
+}
+
+bool decide(const symbolic::OnlySolutions&, const Numbers&) {
+  throw std::logic_error("truth: no systems here");
+}
+
+bool decide(const symbolic::OneSolution&, const Numbers&) {
+  throw std::logic_error("truth: no systems here");
 }
 
 bool decide(const symbolic::Solutions&, const Numbers&) {
@@ -162,7 +170,7 @@ bool vanishes(const Formula& f, const Numbers& numbers) {
 }
 
 bool vanishes(const Point& point, const Numbers& numbers) {
-  return std::ranges::all_of(point, [&](const Formula& f) { return vanishes(f, numbers); });
+  return std::ranges::all_of(point, [&](const Formula& f) { return testing::vanishes(f, numbers); });
 }
 
 }  // namespace seam::geometry::testing
