@@ -2,17 +2,20 @@
 #include <algorithm>
 
 #include "claims/builtin.h"
+#include "claims/extremum_search.h"
 #include "claims/stating.h"
 
 // An extremum over a continuous domain stays unresolved: a comparison with it is a statement
-// for all (some) points. Where its value itself is wanted, the best of some candidate points is
-// taken, and "nowhere larger" becomes a side statement that has to be proven.
+// for all (some) points. Where its value itself is wanted, it is taken at a point that a search
+// finds; that it is attained there, and nowhere larger, become side statements.
 
 namespace seam::claims {
 namespace {
 
 using geometry::Patch;
 using symbolic::Simplex;
+
+constexpr std::size_t most_points = 64;  // of argmax
 
 symbolic::Domain domain_of(const Field& field) {
   const std::vector<std::string> names = {geometry::parameter_u, geometry::parameter_v};
@@ -112,62 +115,6 @@ Value min(const Call& call) {
   return extremum(call, false);
 }
 
-// Barycentric candidates: corners, centres of faces of every dimension.
-std::vector<std::map<std::string, Formula>> candidates(const symbolic::Domain& domain) {
-  std::vector<std::map<std::string, Formula>> points = {{}};
-  for (const Simplex& factor : domain.factors) {
-    std::vector<std::map<std::string, Formula>> next;
-    const std::size_t corners = factor.corners.size();
-    for (std::size_t face = 1; face < (std::size_t{1} << corners); ++face) {
-      long size = 0;
-      symbolic::Point sum(factor.variables.size(), Formula(0));
-      for (std::size_t c = 0; c < corners; ++c) {
-        if (!(face >> c & 1)) continue;
-        ++size;
-        for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += factor.corners[c][i + 1];
-      }
-      for (const auto& point : points) {
-        auto extended = point;
-        for (std::size_t i = 0; i < sum.size(); ++i)
-          extended[factor.variables[i]] = Formula(exact::Rational(1, size)) * sum[i];
-        next.push_back(std::move(extended));
-      }
-    }
-    points = std::move(next);
-  }
-  return points;
-}
-
-// A candidate point of a part, and the value there.
-struct Attained {
-  const Extremum::Part* part;
-  std::map<std::string, Formula> point;
-  Scalar here;    ///< the value there, as substituted
-  Formula value;  ///< its normal form
-};
-
-// The candidates with the best value.
-std::vector<Attained> best_candidates(Evaluator& evaluator, const Extremum& extremum) {
-  std::vector<Attained> best;
-  for (const Extremum::Part& part : extremum.parts)
-    for (const auto& point : candidates(part.domain)) {
-      std::map<std::string, Scalar> map;
-      for (const auto& [name, coordinate] : point) map.emplace(name, Scalar(coordinate));
-      const Scalar here = substitute(part.value, map, evaluator.numbers);
-      if (!is_number(here))
-        throw Unsupported("the value of an extremum that depends on a parameter");
-      const Formula value = evaluator.numbers.normal_form(here.numerator);
-      if (!best.empty()) {
-        const Formula gain = extremum.maximum ? value - best[0].value : best[0].value - value;
-        const exact::Sign sign = evaluator.numbers.sign(gain);
-        if (sign == exact::Sign::negative) continue;
-        if (sign == exact::Sign::positive) best.clear();
-      }
-      best.push_back({&part, point, here, value});
-    }
-  return best;
-}
-
 // That the value is attained there is stated too, for the checker to compute again.
 void state_attained(Stating& stating, const Attained& place, const Expression& at) {
   const auto equal = stating.compared(place.here, "=", Scalar(place.value), {}, at);
@@ -191,7 +138,7 @@ Value arguments_of_extremum(const Call& call, bool maximum) {
   if (!found || found->parts.size() != 1)
     throw Unsupported("argmax and argmin are covered for one function on one domain");
   const Extremum::Part& part = found->parts[0];
-  const std::vector<Attained> best = best_candidates(call.evaluator, *found);
+  const std::vector<Attained> best = attained(call.evaluator, *found, most_points);
   Stating stating(call.evaluator);
   Context context{part.domain.factors, {}, {}};
   const auto bound = stating.compared(part.value, maximum ? "<" : ">", Scalar(best[0].value),
@@ -225,7 +172,7 @@ Value argmin(const Call& call) {
 Value Evaluator::resolved(const Value& value, const Expression& at) {
   const auto* extremum = value.as<Extremum>();
   if (!extremum) return value;
-  const Attained place = best_candidates(*this, *extremum).front();
+  const Attained place = attained(*this, *extremum, 1).front();
   const Formula& best = place.value;
   Stating stating(*this);
   state_attained(stating, place, at);

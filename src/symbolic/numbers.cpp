@@ -33,6 +33,8 @@ struct Numbers::Tower {
 
   Polynomial number(const Formula& f) { return expansion(f); }
   Polynomial root_of(const Univariate& squarefree, RootInterval where);
+  Polynomial adjoined(const Univariate& irreducible, RootInterval where);
+  Polynomial quadratic(const Univariate& irreducible, RootInterval where);
   Polynomial power_root(const Polynomial& radicand, int n);
   std::string unused(const std::string& name) const;
 };
@@ -70,8 +72,9 @@ Integer pow(const Integer& base, int exponent) {
   return result;
 }
 
+// x^n - a
 bool is_binomial(const Univariate& f) {
-  return std::all_of(f.begin() + 1, f.end() - 1,
+  return f.back().rational() == Rational(1) && std::all_of(f.begin() + 1, f.end() - 1,
                      [](const Polynomial& c) { return c.is_zero(); });
 }
 
@@ -112,11 +115,31 @@ std::string Numbers::Tower::unused(const std::string& name) const {
   return result;
 }
 
-Polynomial Numbers::Tower::root_of(const Univariate& squarefree, RootInterval where) {
+// The irreducible factor of a polynomial, where the field can take it.
+Univariate factor_at(const exact::TowerPtr& tower, const Univariate& squarefree,
+                     const RootInterval& where) {
   constexpr int max_degree = 64;
-  if (exact::dimension(ring->tower()) * exact::degree(squarefree) > max_degree)
+  if (exact::dimension(tower) * exact::degree(squarefree) > max_degree)
     throw NumberLimit("numbers of a field of degree over 64 are not covered");
-  const Univariate f = exact::irreducible_factor(squarefree, where);
+  return exact::irreducible_factor(squarefree, where);
+}
+
+Polynomial Numbers::Tower::root_of(const Univariate& squarefree, RootInterval where) {
+  const Univariate f = factor_at(ring->tower(), squarefree, where);
+  return exact::degree(f) == 2 ? quadratic(f, where) : adjoined(f, where);
+}
+
+// x^2 + 2 p x + q: the roots are -p - r and -p + r with r^2 = p^2 - q.
+Polynomial Numbers::Tower::quadratic(const Univariate& f, RootInterval where) {
+  const Polynomial middle = Rational(-1, 2) * f[1];
+  const auto side = [&](const Rational& end) { return exact::sign(ring->constant(end) - middle); };
+  while (side(where.low) != side(where.high)) where = exact::halved(f, where);
+  const bool is_upper = side(where.low) == Sign::positive;
+  const Polynomial r = power_root(middle * middle - f[0], 2), centre = ring->embed(middle);
+  return is_upper ? centre + r : centre - r;
+}
+
+Polynomial Numbers::Tower::adjoined(const Univariate& f, RootInterval where) {
   if (exact::degree(f) == 1) return -f[0];
   const Univariate cleared = ring->constant(common_denominator(f)) * f;
   const auto bracket = exact::bracket(f, where);
@@ -148,7 +171,10 @@ Polynomial Numbers::Tower::power_root(const Polynomial& radicand, int n) {
   f[0] = -inside;
   f[n] = ring->constant(1);
   const Rational bound = exact::enclosure(inside, 4).high + 1;
-  const Polynomial root = inside == ring->constant(1) ? inside : root_of(f, {0, bound});
+  const Polynomial root = 
+      inside == ring->constant(1)
+          ? inside
+          : adjoined(factor_at(ring->tower(), f, {0, bound}), {0, bound});
   roots.push_back({n, inside, root});
   return factor * ring->embed(root);
 }

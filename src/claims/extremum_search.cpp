@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "claims/extremum_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "bernstein/critical.h"
+#include "bernstein/extremum.h"
+#include "bernstein/refine.h"
+#include "exact/recognise.h"
+#include "exact/roots.h"
+#include "symbolic/expand.h"
+
+// A place is found in doubles and followed to many digits. Its coordinates are then guessed:
+// fractions, numbers of the field so far, roots of a polynomial with small integers, which the
+// field grows by. A guess counts where all derivatives within the face are 0 there, exactly.
+
+namespace seam::claims {
+namespace {
+
+using bernstein::Landscape;
+using bernstein::Spot;
+using exact::Polynomial;
+using exact::Rational;
+using exact::RingPtr;
+using symbolic::Simplex;
+
+constexpr long guess_bits = 1200;
+constexpr int most_degree = 12;
+
+// A part in coordinates that make each factor of its domain a standard simplex. Of a minimum
+// the negative.
+struct Ground {
+  const Extremum::Part* part;
+  Landscape landscape;
+};
+
+std::map<std::string, Formula> in_shares(const Extremum::Part& part,
+                                         const std::vector<Formula>& shares) {
+  std::map<std::string, Formula> result;
+  std::size_t next = 0;
+  for (const Simplex& factor : part.domain.factors) {
+    const std::size_t size = factor.variables.size();
+    for (std::size_t j = 0; j < size; ++j) {
+      Formula x = factor.corners[0][j + 1];
+      for (std::size_t i = 0; i < size; ++i)
+        x += shares[next + i] * (factor.corners[i + 1][j + 1] - factor.corners[0][j + 1]);
+      result.emplace(factor.variables[j], x);
+    }
+    next += size;
+  }
+  return result;
+}
+
+Ground ground(Evaluator& evaluator, const Extremum& extremum, const Extremum::Part& part) {
+  std::vector<int> dimensions;
+  std::vector<std::string> names;
+  std::vector<Formula> shares;
+  for (const Simplex& factor : part.domain.factors) {
+    dimensions.push_back(static_cast<int>(factor.variables.size()));
+    for (std::size_t i = 0; i < factor.variables.size(); ++i) {
+      names.push_back("share~" + std::to_string(names.size()));
+      shares.push_back(Formula::symbol(names.back()));
+    }
+  }
+  const auto place = in_shares(part, shares);
+  for (const Formula& f : {part.value.numerator, part.value.denominator})
+    for (const std::string& variable : symbolic::variables(f))
+      if (!place.contains(variable))
+        throw Unsupported("the value of an extremum that depends on a parameter");
+  symbolic::Expansion expand(exact::Ring::make(evaluator.numbers.tower(), names));
+  Polynomial numerator = expand(symbolic::subst(part.value.numerator, place));
+  Polynomial denominator = expand(symbolic::subst(part.value.denominator, place));
+  std::vector<double> centre;
+  for (const int dimension : dimensions)
+    centre.insert(centre.end(), dimension, 1.0 / (dimension + 1));
+  if (!extremum.maximum) numerator = -numerator;
+  if (bernstein::Sketch(denominator).jet(centre).value < 0) {
+    numerator = -numerator;
+    denominator = -denominator;
+  }
+  return {&part, Landscape(numerator, denominator, dimensions)};
+}
+
+struct Found {
+  Ground ground;
+  Spot spot;
+};
+
+// The best spots of all parts; functions that are the same are searched once.
+std::vector<Found> best_spots(Evaluator& evaluator, const Extremum& extremum) {
+  std::vector<Ground> seen;
+  std::vector<Found> result;
+  for (const Extremum::Part& part : extremum.parts) {
+    Ground here = ground(evaluator, extremum, part);
+    const auto is_same = [&](const Ground& g) { return g.landscape == here.landscape; };
+    if (std::ranges::any_of(seen, is_same)) continue;
+    for (Spot& spot : here.landscape.highest()) result.push_back({here, std::move(spot)});
+    seen.push_back(std::move(here));
+  }
+  double best = -HUGE_VAL;
+  for (const Found& found : result) best = std::max(best, found.spot.value);
+  std::erase_if(result, [&](const Found& found) {
+    return found.spot.value < best - 1e-8 * std::max(1e-3, std::abs(best));
+  });
+  if (result.empty()) throw Unsupported("no place was found where this extremum is attained");
+  return result;
+}
+
+// The number over the present tower, which may grow.
+std::optional<Polynomial> guessed(Numbers& numbers, const Rational& value) {
+  const Rational simple = exact::simplest(value, Rational(1, exact::Integer(1) << 80));
+  RingPtr field = exact::Ring::make(numbers.tower(), {});
+  if (mpz_sizeinbase(simple.get_den_mpz_t(), 2) < 36) return field->constant(simple);
+  if (numbers.tower())
+    if (auto known = exact::recognise(field, value, guess_bits)) return known;
+  const auto f = exact::annihilator(field, value, most_degree, guess_bits);
+  if (!f) return std::nullopt;
+  const auto squarefree = exact::squarefree(*f);
+  for (const exact::RootInterval& root : exact::real_roots(squarefree)) {
+    if (value < root.low || value > root.high) continue;
+    std::vector<Formula> terms;
+    for (int i = 0; i <= exact::degree(*f); ++i)
+      terms.push_back(symbolic::formula((*f)[i]) *
+                      symbolic::power(Formula::symbol("share~"), i));
+    const Formula number =
+        numbers.root(symbolic::sum(std::move(terms)), "share~", root.low, root.high);
+    symbolic::Expansion expand(exact::Ring::make(numbers.tower(), {}));
+    return expand(number);
+  }
+  return std::nullopt;
+}
+
+// Over the present tower.
+std::vector<Polynomial> lifted(const Numbers& numbers, const std::vector<Polynomial>& all) {
+  std::vector<Polynomial> result;
+  for (const Polynomial& f : all)
+    result.push_back(exact::Ring::make(numbers.tower(), f.ring().variables())->embed(f));
+  return result;
+}
+
+bool is_critical(const Numbers& numbers, const Landscape::Restriction& f,
+                 const std::vector<Polynomial>& at) {
+  const RingPtr field = exact::Ring::make(numbers.tower(), {});
+  const auto value = [&](const Polynomial& g) {
+    return lifted(numbers, {g})[0].substitute(field, at);
+  };
+  const Polynomial n = value(f.numerator), d = value(f.denominator);
+  for (int i = 0; i < std::ssize(at); ++i)
+    if (!(value(f.numerator.derivative(i)) * d - n * value(f.denominator.derivative(i)))
+             .is_zero())
+      return false;
+  return true;
+}
+
+Attained attained_at(Evaluator& evaluator, const Ground& ground,
+                     const Landscape::Restriction& f, const std::vector<Polynomial>& at) {
+  const RingPtr field = exact::Ring::make(evaluator.numbers.tower(), {});
+  std::vector<Formula> shares;
+  for (const Polynomial& x : lifted(evaluator.numbers, f.place))
+    shares.push_back(symbolic::formula(x.substitute(field, at)));
+  Attained result{ground.part, in_shares(*ground.part, shares), {}, 0};
+  std::map<std::string, Scalar> map;
+  for (auto& [name, coordinate] : result.point) {
+    coordinate = evaluator.numbers.normal_form(coordinate);
+    map.emplace(name, Scalar(coordinate));
+  }
+  result.here = substitute(ground.part->value, map, evaluator.numbers);
+  result.value = evaluator.numbers.normal_form(result.here.numerator);
+  return result;
+}
+
+std::optional<Attained> exactly(Evaluator& evaluator, const Found& found) {
+  Numbers& numbers = evaluator.numbers;
+  const auto f = found.ground.landscape.on(found.spot.face);
+  const auto here = lifted(numbers, {f.numerator, f.denominator});
+  std::vector<Polynomial> at;
+  if (found.spot.is_centre) {
+    for (const double share : found.spot.at)
+      at.push_back(exact::Ring::make(numbers.tower(), {})
+                       ->constant(Rational(1, std::lround(1 / share))));
+    return attained_at(evaluator, found.ground, f, at);
+  }
+  const auto location = bernstein::refined(here[0], here[1], found.spot.at, guess_bits);
+  if (!location) return std::nullopt;
+  try {
+    for (const Rational& share : *location) {
+      const auto number = guessed(numbers, share);
+      if (!number) return std::nullopt;
+      at.push_back(*number);
+    }
+  } catch (const symbolic::NumberLimit&) {
+    return std::nullopt;
+  }
+  at = lifted(numbers, at);
+  if (!is_critical(numbers, f, at)) return std::nullopt;
+  return attained_at(evaluator, found.ground, f, at);
+}
+
+bool is_before(const Numbers& numbers, const Attained& a, const Attained& b) {
+  for (const Simplex& factor : a.part->domain.factors)
+    for (const std::string& name : factor.variables) {
+      const exact::Sign sign = numbers.sign(a.point.at(name) - b.point.at(name));
+      if (sign != exact::Sign::zero) return sign == exact::Sign::negative;
+    }
+  return false;
+}
+
+}  // namespace
+
+std::vector<Attained> attained(Evaluator& evaluator, const Extremum& extremum,
+                               std::size_t most) {
+  std::vector<Attained> best;
+  const std::vector<Found> spots = best_spots(evaluator, extremum);
+  for (std::size_t i = 0; i < spots.size() && best.size() < most; ++i) {
+    auto place = exactly(evaluator, spots[i]);
+    if (!place) continue;
+    if (!best.empty()) {
+      const Formula gain =
+          extremum.maximum ? place->value - best[0].value : best[0].value - place->value;
+      const exact::Sign sign = evaluator.numbers.sign(gain);
+      if (sign == exact::Sign::negative) continue;
+      if (sign == exact::Sign::positive) best.clear();
+      const auto is_same = [&](const Attained& other) {
+        return other.part == place->part && !is_before(evaluator.numbers, other, *place) &&
+               !is_before(evaluator.numbers, *place, other);
+      };
+      if (std::ranges::any_of(best, is_same)) continue;
+    }
+    best.push_back(std::move(*place));
+  }
+  if (best.empty())
+    throw Unsupported("this extremum is attained at no point that was recognised exactly");
+  std::ranges::stable_sort(best, [&](const Attained& a, const Attained& b) {
+    return a.part == b.part ? is_before(evaluator.numbers, a, b) : a.part < b.part;
+  });
+  return best;
+}
+
+Attained nearly_attained(Evaluator& evaluator, const Extremum& extremum, long bits) {
+  const Found found = best_spots(evaluator, extremum).front();
+  const auto f = found.ground.landscape.on(found.spot.face);
+  const RingPtr field = exact::Ring::make(f.numerator.ring().tower(), {});
+  std::vector<Polynomial> at;
+  std::optional<std::vector<Rational>> location;
+  if (!found.spot.is_centre)
+    location = bernstein::refined(f.numerator, f.denominator, found.spot.at, bits);
+  for (std::size_t i = 0; i < found.spot.at.size(); ++i)
+    at.push_back(field->constant(location              ? (*location)[i]
+                                 : found.spot.is_centre ? Rational(1, std::lround(1 / found.spot.at[i]))
+                                                        : Rational(found.spot.at[i])));
+  return attained_at(evaluator, found.ground, f, at);
+}
+
+}  // namespace seam::claims
