@@ -23,12 +23,6 @@ symbolic::Domain domain_of(const Field& field) {
   return {{symbolic::interval(names[0], 0, 1), symbolic::interval(names[1], 0, 1)}, {}};
 }
 
-Extremum::Part part_of(const Field& field, const Expression& at) {
-  if (field.components.size() != 1)
-    fail(at, "an extremum of a vector: take norm2 or a coordinate");
-  return {field.components[0], domain_of(field)};
-}
-
 bool is_compact(const symbolic::Domain& domain) {
   return domain.where.empty() && std::ranges::all_of(domain.factors, [](const Simplex& factor) {
            return std::ranges::none_of(factor.open, [](bool open) { return open; }) &&
@@ -41,20 +35,7 @@ bool is_compact(const symbolic::Domain& domain) {
 Value over_bindings(const Call& call, bool maximum) {
   const Expression& each = call[0];
   Scope inner{&call.scope, {}};
-  Extremum::Part part;
-  for (std::size_t k = 1; k < each.children.size(); ++k) {
-    const Expression& binding = each.children[k];
-    if (binding.children.size() < 2) fail(binding, "an extremum needs a bounded domain");
-    if (condition_of(binding)) throw Unsupported("an extremum under a 'where' condition");
-    std::vector<std::string> here;
-    for (const Expression& name : binding.children[0].children) {
-      here.push_back(call.evaluator.bind(name.text + "~max"));
-      inner.values[name.text] = {Scalar(Formula::symbol(here.back()))};
-    }
-    part.domain.factors.push_back(
-        call.evaluator.continuous_set(binding.children[1], here, call.scope));
-  }
-  if (!is_compact(part.domain)) fail(each, "an extremum needs a closed, bounded domain");
+  Extremum::Part part{0, bound_domain(call, each.children.size() - 1, inner)};
   part.value = call.evaluator.scalar(each.children[0], inner);
   return {Extremum{maximum, {part}}};  // its symbols stay in use: the value may be kept
 }
@@ -115,12 +96,6 @@ Value min(const Call& call) {
   return extremum(call, false);
 }
 
-// That the value is attained there is stated too, for the checker to compute again.
-void state_attained(Stating& stating, const Attained& place, const Expression& at) {
-  const auto equal = stating.compared(place.here, "=", Scalar(place.value), {}, at);
-  stating.guards.push_back(stating.holds(equal.formula, equal.relation, {}, at, "attained"));
-}
-
 // The squared distance from a point.
 Formula distance2(const std::map<std::string, Formula>& point) {
   Formula total = 0;
@@ -140,22 +115,22 @@ Value arguments_of_extremum(const Call& call, bool maximum) {
   const Extremum::Part& part = found->parts[0];
   const std::vector<Attained> best = attained(call.evaluator, *found, most_points);
   Stating stating(call.evaluator);
-  Context context{part.domain.factors, {}, {}};
-  const auto bound = stating.compared(part.value, maximum ? "<" : ">", Scalar(best[0].value),
-                                      context, call.at);
+  Extremum elsewhere = *found;
   List points;
   for (const Attained& place : best) {
-    state_attained(stating, place, call.at);
-    context.where.push_back({distance2(place.point), Relation::positive});
+    stating.state_attained(call.at, place);
+    elsewhere.parts[0].domain.where.push_back({distance2(place.point), Relation::positive});
     Vector point;
     for (const Simplex& factor : part.domain.factors)
       for (const std::string& variable : factor.variables)
         point.emplace_back(place.point.at(variable));
     points.items.push_back(point.size() == 1 ? Value{point[0]} : Value{point});
   }
-  stating.guards.push_back(
-      stating.holds(bound.formula, bound.relation, context, call.at,
-                    maximum ? "less everywhere else" : "more everywhere else"));
+  Proposition less =
+      stating.everywhere(call.at, elsewhere, maximum ? "<" : ">", Scalar(best[0].value), {},
+                         is_oblique(call.evaluator, *found));
+  less.about = maximum ? "less everywhere else" : "more everywhere else";
+  stating.guards.push_back(std::move(less));
   for (auto& guard : stating.guards) call.evaluator.sides.push_back(std::move(guard));
   return {points};
 }
@@ -169,23 +144,44 @@ Value argmin(const Call& call) {
 
 }  // namespace
 
+Extremum::Part part_of(const Field& field, const Expression& at) {
+  if (field.components.size() != 1)
+    fail(at, "an extremum of a vector: take norm2 or a coordinate");
+  return {field.components[0], domain_of(field)};
+}
+
+symbolic::Domain bound_domain(const Call& call, std::size_t bindings, Scope& inner) {
+  const Expression& each = call[0];
+  symbolic::Domain domain;
+  for (std::size_t k = 1; k <= bindings; ++k) {
+    const Expression& binding = each.children[k];
+    if (binding.children.size() < 2) fail(binding, "an extremum needs a bounded domain");
+    if (condition_of(binding)) throw Unsupported("an extremum under a 'where' condition");
+    std::vector<std::string> here;
+    for (const Expression& name : binding.children[0].children) {
+      here.push_back(call.evaluator.bind(name.text + "~max"));
+      inner.values[name.text] = {Scalar(Formula::symbol(here.back()))};
+    }
+    domain.factors.push_back(
+        call.evaluator.continuous_set(binding.children[1], here, call.scope));
+  }
+  if (!is_compact(domain)) fail(each, "an extremum needs a closed, bounded domain");
+  return domain;
+}
+
 Value Evaluator::resolved(const Value& value, const Expression& at) {
   const auto* extremum = value.as<Extremum>();
   if (!extremum) return value;
   const Attained place = attained(*this, *extremum, 1).front();
-  const Formula& best = place.value;
   Stating stating(*this);
-  state_attained(stating, place, at);
-  for (const Extremum::Part& part : extremum->parts) {
-    const Context context{part.domain.factors, {}, {}};
-    const auto bound = stating.compared(
-        part.value, extremum->maximum ? "<=" : ">=", Scalar(best), context, at);
-    stating.guards.push_back(
-        stating.holds(bound.formula, bound.relation, context, at,
-                      extremum->maximum ? "nowhere larger" : "nowhere smaller"));
-  }
+  stating.state_attained(at, place);
+  Proposition bounded =
+      stating.everywhere(at, *extremum, extremum->maximum ? "<=" : ">=", Scalar(place.value),
+                         {}, is_oblique(*this, *extremum));
+  bounded.about = extremum->maximum ? "nowhere larger" : "nowhere smaller";
+  stating.guards.push_back(std::move(bounded));
   for (auto& guard : stating.guards) sides.push_back(std::move(guard));
-  return {Scalar(best)};
+  return {Scalar(place.value)};
 }
 
 const Builtins& extremum_builtins() {

@@ -2,7 +2,9 @@
 #include "claims/extremum_search.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "bernstein/critical.h"
@@ -33,6 +35,7 @@ constexpr int most_degree = 12;
 // the negative.
 struct Ground {
   const Extremum::Part* part;
+  std::size_t index;
   Landscape landscape;
 };
 
@@ -53,7 +56,16 @@ std::map<std::string, Formula> in_shares(const Extremum::Part& part,
   return result;
 }
 
-Ground ground(Evaluator& evaluator, const Extremum& extremum, const Extremum::Part& part) {
+bool has_parameter(const Extremum::Part& part) {
+  std::set<std::string> open = symbolic::variables(part.value.numerator);
+  open.merge(symbolic::variables(part.value.denominator));
+  for (const Simplex& factor : part.domain.factors)
+    for (const std::string& variable : factor.variables) open.erase(variable);
+  return !open.empty();
+}
+
+Ground ground(Evaluator& evaluator, const Extremum& extremum, std::size_t index) {
+  const Extremum::Part& part = extremum.parts[index];
   std::vector<int> dimensions;
   std::vector<std::string> names;
   std::vector<Formula> shares;
@@ -65,10 +77,8 @@ Ground ground(Evaluator& evaluator, const Extremum& extremum, const Extremum::Pa
     }
   }
   const auto place = in_shares(part, shares);
-  for (const Formula& f : {part.value.numerator, part.value.denominator})
-    for (const std::string& variable : symbolic::variables(f))
-      if (!place.contains(variable))
-        throw Unsupported("the value of an extremum that depends on a parameter");
+  if (has_parameter(part))
+    throw Unsupported("the value of an extremum that depends on a parameter");
   symbolic::Expansion expand(exact::Ring::make(evaluator.numbers.tower(), names));
   Polynomial numerator = expand(symbolic::subst(part.value.numerator, place));
   Polynomial denominator = expand(symbolic::subst(part.value.denominator, place));
@@ -80,7 +90,7 @@ Ground ground(Evaluator& evaluator, const Extremum& extremum, const Extremum::Pa
     numerator = -numerator;
     denominator = -denominator;
   }
-  return {&part, Landscape(numerator, denominator, dimensions)};
+  return {&part, index, Landscape(numerator, denominator, dimensions)};
 }
 
 struct Found {
@@ -92,8 +102,8 @@ struct Found {
 std::vector<Found> best_spots(Evaluator& evaluator, const Extremum& extremum) {
   std::vector<Ground> seen;
   std::vector<Found> result;
-  for (const Extremum::Part& part : extremum.parts) {
-    Ground here = ground(evaluator, extremum, part);
+  for (std::size_t i = 0; i < extremum.parts.size(); ++i) {
+    Ground here = ground(evaluator, extremum, i);
     const auto is_same = [&](const Ground& g) { return g.landscape == here.landscape; };
     if (std::ranges::any_of(seen, is_same)) continue;
     for (Spot& spot : here.landscape.highest()) result.push_back({here, std::move(spot)});
@@ -160,7 +170,7 @@ Attained attained_at(Evaluator& evaluator, const Ground& ground,
   std::vector<Formula> shares;
   for (const Polynomial& x : lifted(evaluator.numbers, f.place))
     shares.push_back(symbolic::formula(x.substitute(field, at)));
-  Attained result{ground.part, in_shares(*ground.part, shares), {}, 0};
+  Attained result{ground.index, in_shares(*ground.part, shares), {}, 0};
   std::map<std::string, Scalar> map;
   for (auto& [name, coordinate] : result.point) {
     coordinate = evaluator.numbers.normal_form(coordinate);
@@ -198,8 +208,10 @@ std::optional<Attained> exactly(Evaluator& evaluator, const Found& found) {
   return attained_at(evaluator, found.ground, f, at);
 }
 
-bool is_before(const Numbers& numbers, const Attained& a, const Attained& b) {
-  for (const Simplex& factor : a.part->domain.factors)
+bool is_before(const Numbers& numbers, const Extremum& extremum, const Attained& a,
+               const Attained& b) {
+  if (a.part != b.part) return a.part < b.part;
+  for (const Simplex& factor : extremum.parts[a.part].domain.factors)
     for (const std::string& name : factor.variables) {
       const exact::Sign sign = numbers.sign(a.point.at(name) - b.point.at(name));
       if (sign != exact::Sign::zero) return sign == exact::Sign::negative;
@@ -223,8 +235,8 @@ std::vector<Attained> attained(Evaluator& evaluator, const Extremum& extremum,
       if (sign == exact::Sign::negative) continue;
       if (sign == exact::Sign::positive) best.clear();
       const auto is_same = [&](const Attained& other) {
-        return other.part == place->part && !is_before(evaluator.numbers, other, *place) &&
-               !is_before(evaluator.numbers, *place, other);
+        return !is_before(evaluator.numbers, extremum, other, *place) &&
+               !is_before(evaluator.numbers, extremum, *place, other);
       };
       if (std::ranges::any_of(best, is_same)) continue;
     }
@@ -233,7 +245,7 @@ std::vector<Attained> attained(Evaluator& evaluator, const Extremum& extremum,
   if (best.empty())
     throw Unsupported("this extremum is attained at no point that was recognised exactly");
   std::ranges::stable_sort(best, [&](const Attained& a, const Attained& b) {
-    return a.part == b.part ? is_before(evaluator.numbers, a, b) : a.part < b.part;
+    return is_before(evaluator.numbers, extremum, a, b);
   });
   return best;
 }
@@ -251,6 +263,35 @@ Attained nearly_attained(Evaluator& evaluator, const Extremum& extremum, long bi
                                  : found.spot.is_centre ? Rational(1, std::lround(1 / found.spot.at[i]))
                                                         : Rational(found.spot.at[i])));
   return attained_at(evaluator, found.ground, f, at);
+}
+
+double about(Evaluator& evaluator, const Extremum& extremum) {
+  const double value = best_spots(evaluator, extremum).front().spot.value;
+  return extremum.maximum ? value : -value;
+}
+
+bool is_oblique(Evaluator& evaluator, const Extremum& extremum) {
+  const auto is_simple = [](const Extremum::Part& p) { return p.domain.factors.size() < 2; };
+  if (std::ranges::all_of(extremum.parts, is_simple) ||
+      std::ranges::any_of(extremum.parts, has_parameter))
+    return false;
+  for (const Found& found : best_spots(evaluator, extremum)) {
+    const auto f = found.ground.landscape.on(found.spot.face);
+    const auto above = bernstein::Sketch(f.numerator).jet(found.spot.at);
+    const auto below = bernstein::Sketch(f.denominator).jet(found.spot.at);
+    std::vector<std::size_t> factor;  // of each coordinate
+    for (std::size_t k = 0; k < found.spot.face.size(); ++k)
+      factor.insert(factor.end(), std::popcount(found.spot.face[k]) - 1, k);
+    const auto second = [&](std::size_t i, std::size_t j) {
+      return above.hessian[i][j] - above.value / below.value * below.hessian[i][j];
+    };
+    for (std::size_t i = 0; i < factor.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (factor[i] != factor[j] &&
+            std::abs(second(i, j)) > 1e-7 * std::sqrt(std::abs(second(i, i) * second(j, j))))
+          return true;
+  }
+  return false;
 }
 
 }  // namespace seam::claims

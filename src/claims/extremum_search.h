@@ -13,7 +13,7 @@ namespace seam::claims {
 
 /// A point of a part of an extremum, and the value there.
 struct Attained {
-  const Extremum::Part* part = nullptr;
+  std::size_t part = 0;  ///< its index
   std::map<std::string, Formula> point;
   Scalar here;    ///< the value there, as substituted
   Formula value;  ///< its normal form
@@ -25,5 +25,12 @@ std::vector<Attained> attained(Evaluator&, const Extremum&, std::size_t most);
 
 /// A point whose value differs from the extremum by about 2^-bits at most.
 Attained nearly_attained(Evaluator&, const Extremum&, long bits);
+
+/// About the largest (least) value.
+double about(Evaluator&, const Extremum&);
+
+/// Whether, at a place where the extremum seems to be attained, a mixed derivative in the
+/// directions of two factors of a domain is not 0. False where a parameter occurs.
+bool is_oblique(Evaluator&, const Extremum&);
 
 }  // namespace seam::claims

@@ -126,8 +126,7 @@ const std::map<std::string, Entry>& table() {
 const std::set<std::string>& later() {
   static const std::set<std::string> names = {
       "G",      "C",           "pregeodesic",        "developable",
-      "ruled",  "cylindrical", "partition_of_unity", "nonnegative",
-      "minimax"};
+      "ruled",  "cylindrical", "partition_of_unity", "nonnegative"};
   return names;
 }
 

@@ -206,23 +206,25 @@ class Search {
   // The location to many digits: f is 0 there, and it is an exact number, or f is nearly 0, and
   // a fraction nearby does.
   std::optional<Touch> as_numbers(const std::vector<double>& at) {
-    constexpr long few = 300, many = 1000;
     const Polynomial f = within_face(at), one = f.ring().constant(1);
     std::vector<double> start;
     for (const Free& free : free_) start.push_back(at[offsets_[free.factor] + free.to]);
-    auto t = bernstein::refined(f, one, start, few);
-    if (!t) return std::nullopt;
+    std::vector<Rational> t;
+    const long many = std::max(1000L, 50L * exact::dimension(workshop_.tower()));
+    for (const long bits : {300L, many}) {
+      const auto location = bernstein::refined(f, one, start, bits);
+      if (!location) return std::nullopt;
+      t = *location;
+      std::vector<Polynomial> values;
+      for (const Rational& x : t) values.push_back(workshop_.numbers()->constant(x));
+      const auto value = exact::enclosure(f.substitute(workshop_.numbers(), values), 2 * bits);
+      const Rational nothing(1, Integer(1) << (bits - 50));
+      if (value.high > nothing || value.low < -nothing)
+        return nearly(at, t, value.high, bits);
+    }
     std::vector<Polynomial> values;
-    for (const Rational& x : *t) values.push_back(workshop_.numbers()->constant(x));
-    const auto value = exact::enclosure(f.substitute(workshop_.numbers(), values), 2 * few);
-    if (std::max<Rational>(abs(value.low), abs(value.high)) > Rational(0x1p-250))
-      return nearly(at, *t, value.high);
-    const long bits = std::max<long>(many, 50L * exact::dimension(workshop_.tower()));
-    t = bernstein::refined(f, one, start, bits);
-    if (!t) return std::nullopt;
-    values.clear();
-    for (const Rational& x : *t) {
-      const auto number = guessed(x, bits - 40);
+    for (const Rational& x : t) {
+      const auto number = guessed(x, many - 40);
       if (!number) return std::nullopt;
       values.push_back(*number);
     }
@@ -232,15 +234,16 @@ class Search {
 
   // As many digits as it takes for the gradient to be less than f.
   std::optional<Touch> nearly(const std::vector<double>& at, const std::vector<Rational>& t,
-                              const Rational& value) const {
+                              const Rational& value, long most_bits) const {
     constexpr double small = 1e-5;
     const double about = value.get_d();
     if (about > small * size_of_f_) return std::nullopt;
-    const long bits = about > 0 ? 24 - std::ilogb(about / size_of_f_) : 300;
+    const long bits =
+        about > 0 ? std::min(most_bits, 24L - std::ilogb(about / size_of_f_)) : most_bits;
     std::vector<Polynomial> values;
     for (const Rational& x : t)
       values.push_back(workshop_.numbers()->constant(
-          exact::simplest(x, Rational(1, Integer(1) << std::min(bits, 290L)))));
+          exact::simplest(x, Rational(1, Integer(1) << bits))));
     Place where = place(at, values);
     if (about <= 0) return verify(std::move(where));
     for (const auto& l : where)
