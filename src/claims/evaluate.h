@@ -97,6 +97,7 @@ class Evaluator {
   std::vector<Parameter> parameters;
   std::vector<symbolic::Proposition> sides;  ///< of what is being evaluated
   std::string folder;                        ///< for `read`: the folder of the file
+  bool has_guessed = false;  ///< the field has grown by a number that no text names
 
  private:
   Value name(const Expression&, const Scope&);

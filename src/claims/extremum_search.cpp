@@ -119,7 +119,8 @@ std::vector<Found> best_spots(Evaluator& evaluator, const Extremum& extremum) {
 }
 
 // The number over the present tower, which may grow.
-std::optional<Polynomial> guessed(Numbers& numbers, const Rational& value) {
+std::optional<Polynomial> guessed(Evaluator& evaluator, const Rational& value) {
+  Numbers& numbers = evaluator.numbers;
   const Rational simple = exact::simplest(value, Rational(1, exact::Integer(1) << 80));
   RingPtr field = exact::Ring::make(numbers.tower(), {});
   if (mpz_sizeinbase(simple.get_den_mpz_t(), 2) < 36) return field->constant(simple);
@@ -134,6 +135,7 @@ std::optional<Polynomial> guessed(Numbers& numbers, const Rational& value) {
     for (int i = 0; i <= exact::degree(*f); ++i)
       terms.push_back(symbolic::formula((*f)[i]) *
                       symbolic::power(Formula::symbol("share~"), i));
+    evaluator.has_guessed = true;
     const Formula number =
         numbers.root(symbolic::sum(std::move(terms)), "share~", root.low, root.high);
     symbolic::Expansion expand(exact::Ring::make(numbers.tower(), {}));
@@ -196,7 +198,7 @@ std::optional<Attained> exactly(Evaluator& evaluator, const Found& found) {
   if (!location) return std::nullopt;
   try {
     for (const Rational& share : *location) {
-      const auto number = guessed(numbers, share);
+      const auto number = guessed(evaluator, share);
       if (!number) return std::nullopt;
       at.push_back(*number);
     }

@@ -12,6 +12,24 @@
 
 namespace seam::claims {
 
+/// Numbers that a search guesses while this lives are taken back at its end.
+class Aside {
+ public:
+  explicit Aside(Evaluator& evaluator)
+      : evaluator_(evaluator), mark_(evaluator.numbers.mark()) {
+    evaluator.has_guessed = false;
+  }
+  ~Aside() {
+    if (evaluator_.has_guessed) evaluator_.numbers.restore(*mark_);
+  }
+  Aside(const Aside&) = delete;
+  Aside& operator=(const Aside&) = delete;
+
+ private:
+  Evaluator& evaluator_;
+  std::shared_ptr<const Numbers::Mark> mark_;
+};
+
 /// Reads the items of a file, one after the other, into a meaning.
 class Reader {
  public:
@@ -39,6 +57,8 @@ class Reader {
   void figure(const Item& item);
   MeantClaim meant(const Claim& claim, const Scope& scope, text::Span span);
   Lowered lower(const Expression& statement, const Scope& scope);
+  void answer(MeantAsk&, const Formula& number, const std::string& decimal, int digits);
+  void enclose(MeantAsk&, const Extremum&, int digits);
   void report(text::Diagnostic d) { meaning_.errors.push_back(std::move(d)); }
   void add_id(const std::string& id, const text::Span& where);
 

@@ -19,7 +19,7 @@ using symbolic::Simplex;
 
 namespace {
 
-constexpr double better = 1e-7;  // relative: what counts as less
+constexpr double better = 1e-11;  // relative: what counts as less
 
 // The ends of the set to choose from; none: infinite.
 struct Range {
@@ -86,7 +86,8 @@ class Question {
       const double end = side < 0 ? low : high;
       const double room =
           std::isfinite(end) ? std::abs(end - middle) : 4 * std::max(1.0, std::abs(middle));
-      for (const double share : {1e-5, 1e-4, 1e-3, 1e-2, 0.05, 0.1, 0.2, 0.35, 0.5, 0.7, 0.9}) {
+      for (const double share : {1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.05, 0.1,
+                                 0.2, 0.35, 0.5, 0.7, 0.9}) {
         const double a = middle + side * share * room;
         if (a <= low || a >= high || a == middle) continue;
         result.push_back(exact::simplest(Rational(a), Rational(share * room / 16)));

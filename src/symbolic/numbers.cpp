@@ -288,6 +288,24 @@ std::string Numbers::decimal(const Formula& number, int digits) const {
   return (negative && result != 0 ? "-" : "") + text;
 }
 
+struct Numbers::Mark {
+  exact::RingPtr ring;
+  std::size_t generators, roots;
+};
+
+std::shared_ptr<const Numbers::Mark> Numbers::mark() const {
+  return std::make_shared<const Mark>(
+      Mark{tower_->ring, tower_->generators.size(), tower_->roots.size()});
+}
+
+void Numbers::restore(const Mark& mark) {
+  if (mark.ring == tower_->ring) return;
+  tower_->ring = mark.ring;
+  tower_->expansion = Expansion(mark.ring);
+  tower_->generators.erase(tower_->generators.begin() + mark.generators, tower_->generators.end());
+  tower_->roots.erase(tower_->roots.begin() + mark.roots, tower_->roots.end());
+}
+
 const std::vector<Numbers::Generator>& Numbers::generators() const {
   return tower_->generators;
 }

@@ -77,6 +77,12 @@ class Numbers {
   };
   const std::vector<Generator>& generators() const;
 
+  /// The field as it is now; `restore` takes back what was adjoined since, so that it leaves
+  /// room for other numbers. Formulas in what is taken back are no numbers any more.
+  struct Mark;
+  std::shared_ptr<const Mark> mark() const;
+  void restore(const Mark&);
+
   /// The field itself, for whoever computes in polynomials over it.
   std::shared_ptr<const exact::Tower> tower() const;
 
