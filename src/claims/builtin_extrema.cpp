@@ -114,11 +114,9 @@ Value arguments_of_extremum(const Call& call, bool maximum) {
     throw Unsupported("argmax and argmin are covered for one function on one domain");
   const Extremum::Part& part = found->parts[0];
   const std::vector<Attained> best = attained(call.evaluator, *found, most_points);
-  Stating stating(call.evaluator);
   Extremum elsewhere = *found;
   List points;
   for (const Attained& place : best) {
-    stating.state_attained(call.at, place);
     elsewhere.parts[0].domain.where.push_back({distance2(place.point), Relation::positive});
     Vector point;
     for (const Simplex& factor : part.domain.factors)
@@ -126,10 +124,12 @@ Value arguments_of_extremum(const Call& call, bool maximum) {
         point.emplace_back(place.point.at(variable));
     points.items.push_back(point.size() == 1 ? Value{point[0]} : Value{point});
   }
+  Stating stating(call.evaluator);
   Proposition less =
       stating.everywhere(call.at, elsewhere, maximum ? "<" : ">", Scalar(best[0].value), {},
                          is_oblique(call.evaluator, *found));
   less.about = maximum ? "less everywhere else" : "more everywhere else";
+  for (const Attained& place : best) stating.state_attained(call.at, place);
   stating.guards.push_back(std::move(less));
   for (auto& guard : stating.guards) call.evaluator.sides.push_back(std::move(guard));
   return {points};

@@ -268,7 +268,9 @@ Attained nearly_attained(Evaluator& evaluator, const Extremum& extremum, long bi
 }
 
 double about(Evaluator& evaluator, const Extremum& extremum) {
-  const double value = best_spots(evaluator, extremum).front().spot.value;
+  double value = -HUGE_VAL;
+  for (const Found& found : best_spots(evaluator, extremum))
+    value = std::max(value, found.spot.value);
   return extremum.maximum ? value : -value;
 }
 

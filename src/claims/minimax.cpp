@@ -19,7 +19,7 @@ using symbolic::Simplex;
 
 namespace {
 
-constexpr double better = 1e-11;  // relative: what counts as less
+constexpr double better = 1e-10;  // relative: what counts as less
 
 // The ends of the set to choose from; none: infinite.
 struct Range {
