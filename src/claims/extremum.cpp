@@ -59,13 +59,13 @@ Context with_parameters(const Evaluator& evaluator, const Extremum& extremum,
 
 // A point inside all the sets, another one for each weight.
 std::map<std::string, Scalar> inner_point(Evaluator& evaluator, const Context& context,
-                                          long weight) {
+                                          const exact::Rational& weight) {
   std::map<std::string, Scalar> point;
   for (const symbolic::Simplex& factor : context.factors) {
     Formula total = 0;
     symbolic::Point sum(factor.variables.size(), Formula(0));
     for (std::size_t c = 0; c < factor.corners.size(); ++c) {
-      const Formula share(c == 0 ? weight : 1);
+      const Formula share(c == 0 ? weight : exact::Rational(1));
       total += share * factor.corners[c][0];
       for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += share * factor.corners[c][i + 1];
     }
@@ -73,7 +73,7 @@ std::map<std::string, Scalar> inner_point(Evaluator& evaluator, const Context& c
     for (std::size_t i = 0; i < sum.size(); ++i)
       point.emplace(factor.variables[i], evaluator.numbers.normal_form(sum[i] * inverse));
   }
-  for (const std::string& line : context.lines) point.emplace(line, Scalar(weight - 2));
+  for (const std::string& line : context.lines) point.emplace(line, Scalar(Formula(exact::Rational(weight - 2))));
   return point;
 }
 
@@ -142,7 +142,8 @@ Proposition Stating::reached(const Expression& at, const Extremum& extremum,
   const Context full = with_parameters(evaluator, extremum, bound, context);
   std::vector<Sample> samples;
   std::vector<Attained> places;
-  for (const long weight : {1, 2, 4, 7}) {
+  for (const exact::Rational& weight :
+       {exact::Rational(1), exact::Rational(1, 4), exact::Rational(4), exact::Rational(1, 9)}) {
     Sample sample{inner_point(evaluator, full, weight), 0};
     sample.bound = substitute(bound, sample.values, numbers);
     const Extremum here = at_values(extremum, sample.values, numbers);

@@ -120,18 +120,21 @@ Proposition Stating::best_choice(const Expression& at, const Minimax& minimax,
                                  const Formula& v) {
   Numbers& numbers = evaluator.numbers;
   const Range range = range_of(minimax);
-  const auto beyond = [&](const Formula& excess, bool open) {
-    const exact::Sign sign = numbers.sign(excess);
-    return sign == exact::Sign::positive || (open && sign == exact::Sign::zero);
+  // That v is among the values to choose from; or what shows that it is not.
+  std::vector<Proposition> among;
+  const auto end = [&](const Formula& room, bool open) {
+    const exact::Sign sign = numbers.sign(room);
+    const bool inside =
+        sign == exact::Sign::positive || (!open && sign == exact::Sign::zero);
+    const Relation relation = inside ? (open ? Relation::positive : Relation::nonnegative)
+                                     : (open ? Relation::nonpositive : Relation::negative);
+    among.push_back(holds(room, relation, {}, at,
+                          inside ? "among the values to choose from"
+                                 : "not among the values to choose from"));
+    return inside;
   };
-  const auto outside = [&](const Formula& excess, bool open) {
-    return refuting(holds(excess, open ? Relation::nonnegative : Relation::positive, {}, at,
-                          "not among the values to choose from"));
-  };
-  if (range.low && beyond(*range.low - v, range.open_low))
-    return outside(*range.low - v, range.open_low);
-  if (range.high && beyond(v - *range.high, range.open_high))
-    return outside(v - *range.high, range.open_high);
+  if (range.low && !end(v - *range.low, range.open_low)) return refuting(among.back());
+  if (range.high && !end(*range.high - v, range.open_high)) return refuting(among.back());
 
   const Question question(evaluator, minimax);
   const Extremum here = question.at(v);
@@ -168,13 +171,14 @@ Proposition Stating::best_choice(const Expression& at, const Minimax& minimax,
               : range.low && numbers.equal(*range.low, v))
       return symbolic::truth();
     const std::string symbol = minimax.unknown;
-    const std::optional<Formula>& end = above ? range.high : range.low;
     Context side;
     if (above)
-      side.factors = {end ? symbolic::interval(symbol, v, *end, false, range.open_high)
+      side.factors = {range.high
+                          ? symbolic::interval(symbol, v, *range.high, false, range.open_high)
                           : symbolic::whole_line_right(symbol, v, false)};
     else
-      side.factors = {end ? symbolic::interval(symbol, *end, v, range.open_low, false)
+      side.factors = {range.low
+                          ? symbolic::interval(symbol, *range.low, v, range.open_low, false)
                           : symbolic::whole_line_left(symbol, v, false)};
     for (const Attained& place : places) {
       const Scalar error = question.along(place);
@@ -197,8 +201,10 @@ Proposition Stating::best_choice(const Expression& at, const Minimax& minimax,
   bounded.about = "nowhere larger";
   Proposition above = on_side(true), below = on_side(false);
   state_attained(at, places[0]);
-  return sufficient(
-      symbolic::all({std::move(bounded), std::move(above), std::move(below)}));
+  among.push_back(std::move(bounded));
+  among.push_back(std::move(above));
+  among.push_back(std::move(below));
+  return sufficient(symbolic::all(std::move(among)));
 }
 
 }  // namespace seam::claims
