@@ -76,7 +76,7 @@ class FaceSearch {
 
  private:
   double value(const std::vector<double>& at) {
-    const double result = numerator_.jet(at).value / denominator_.jet(at).value;
+    const double result = numerator_.value(at) / denominator_.value(at);
     lowest = std::min(lowest, result);
     return result;
   }

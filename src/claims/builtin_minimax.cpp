@@ -27,8 +27,7 @@ Value over_bindings(const Call& call) {
   Minimax result;
   result.unknown = call.evaluator.bind(name + "~best");
   inner.values[name] = {Scalar(Formula::symbol(result.unknown))};
-  result.range =
-      call.evaluator.continuous_set(last.children[1], {result.unknown}, call.scope);
+  result.range = call.evaluator.continuous_set(last.children[1], {result.unknown}, call.scope);
   part.value = call.evaluator.scalar(each.children[0], inner);
   result.errors = {part};
   return {result};
@@ -75,8 +74,7 @@ Value over_parameter(const Call& call) {
     result.errors = {{as_scalar(call.evaluator, error, call[0]), domain}};
   }
   for (Extremum::Part& part : result.errors)
-    part.value =
-        replaced(part.value, parameter->name, result.unknown, call.evaluator.numbers);
+    part.value = replaced(part.value, parameter->name, result.unknown, call.evaluator.numbers);
   result.range = parameter->set;
   if (result.range) result.range->variables = {result.unknown};
   return {result};

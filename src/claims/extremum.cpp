@@ -73,7 +73,8 @@ std::map<std::string, Scalar> inner_point(Evaluator& evaluator, const Context& c
     for (std::size_t i = 0; i < sum.size(); ++i)
       point.emplace(factor.variables[i], evaluator.numbers.normal_form(sum[i] * inverse));
   }
-  for (const std::string& line : context.lines) point.emplace(line, Scalar(Formula(exact::Rational(weight - 2))));
+  for (const std::string& line : context.lines)
+    point.emplace(line, Scalar(Formula(exact::Rational(weight - 2))));
   return point;
 }
 
@@ -178,7 +179,8 @@ Proposition Stating::reached(const Expression& at, const Extremum& extremum,
     const Constraint c = compared(there, operation, bound, context, at);
     return sufficient(holds(c.formula, c.relation, context, at, "attained"));
   }
-  throw Unsupported("an extremum that is attained at no point common to all values under 'for all'");
+  throw Unsupported(
+      "an extremum that is attained at no point common to all values under 'for all'");
 }
 
 Proposition Stating::compare_extremum(const Expression& at, const Extremum& extremum,

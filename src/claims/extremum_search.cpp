@@ -86,7 +86,7 @@ Ground ground(Evaluator& evaluator, const Extremum& extremum, std::size_t index)
   for (const int dimension : dimensions)
     centre.insert(centre.end(), dimension, 1.0 / (dimension + 1));
   if (!extremum.maximum) numerator = -numerator;
-  if (bernstein::Sketch(denominator).jet(centre).value < 0) {
+  if (bernstein::Sketch(denominator).value(centre) < 0) {
     numerator = -numerator;
     denominator = -denominator;
   }
@@ -261,9 +261,10 @@ Attained nearly_attained(Evaluator& evaluator, const Extremum& extremum, long bi
   if (!found.spot.is_centre)
     location = bernstein::refined(f.numerator, f.denominator, found.spot.at, bits);
   for (std::size_t i = 0; i < found.spot.at.size(); ++i)
-    at.push_back(field->constant(location              ? (*location)[i]
-                                 : found.spot.is_centre ? Rational(1, std::lround(1 / found.spot.at[i]))
-                                                        : Rational(found.spot.at[i])));
+    at.push_back(field->constant(location ? (*location)[i]
+                                 : found.spot.is_centre
+                                     ? Rational(1, std::lround(1 / found.spot.at[i]))
+                                     : Rational(found.spot.at[i])));
   return attained_at(evaluator, found.ground, f, at);
 }
 

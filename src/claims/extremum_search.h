@@ -8,7 +8,8 @@
 
 #include "claims/evaluate.h"
 
-// Search only. Where an extremum seems to be attained: what rests on it is stated by whoever asks.
+// Search only. Where an extremum seems to be attained: what rests on it is stated by whoever
+// asks.
 namespace seam::claims {
 
 /// A point of a part of an extremum, and the value there.

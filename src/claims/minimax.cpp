@@ -86,8 +86,8 @@ class Question {
       const double end = side < 0 ? low : high;
       const double room =
           std::isfinite(end) ? std::abs(end - middle) : 4 * std::max(1.0, std::abs(middle));
-      for (const double share : {1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.05, 0.1,
-                                 0.2, 0.35, 0.5, 0.7, 0.9}) {
+      for (const double share : {1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.05, 0.1, 0.2,
+                                 0.35, 0.5, 0.7, 0.9}) {
         const double a = middle + side * share * room;
         if (a <= low || a >= high || a == middle) continue;
         result.push_back(exact::simplest(Rational(a), Rational(share * room / 16)));
@@ -107,7 +107,8 @@ Proposition Stating::compare_minimax(const Expression& at, const Minimax& minima
                                      const std::string& operation, const Scalar& value,
                                      const Context& context) {
   if (operation != "=" && operation != "!=")
-    fail(at, "'minimax' is compared with '=' only", "it says which value of a parameter is best");
+    fail(at, "'minimax' is compared with '=' only",
+         "it says which value of a parameter is best");
   if (!context.empty() || !is_number(value))
     throw Unsupported("'minimax' with a parameter, or under 'for all'");
   Numbers& numbers = evaluator.numbers;
@@ -120,21 +121,24 @@ Proposition Stating::best_choice(const Expression& at, const Minimax& minimax,
                                  const Formula& v) {
   Numbers& numbers = evaluator.numbers;
   const Range range = range_of(minimax);
-  // That v is among the values to choose from; or what shows that it is not.
-  std::vector<Proposition> among;
-  const auto end = [&](const Formula& room, bool open) {
-    const exact::Sign sign = numbers.sign(room);
-    const bool inside =
-        sign == exact::Sign::positive || (!open && sign == exact::Sign::zero);
-    const Relation relation = inside ? (open ? Relation::positive : Relation::nonnegative)
-                                     : (open ? Relation::nonpositive : Relation::negative);
-    among.push_back(holds(room, relation, {}, at,
-                          inside ? "among the values to choose from"
-                                 : "not among the values to choose from"));
-    return inside;
+  // That a number is among the values to choose from; or else what shows that it is not.
+  const auto among = [&](const Formula& a) {
+    std::vector<Proposition> inside, outside;
+    const auto end = [&](const Formula& room, bool open) {
+      const exact::Sign sign = numbers.sign(room);
+      if (sign == exact::Sign::positive || (!open && sign == exact::Sign::zero))
+        inside.push_back(holds(room, open ? Relation::positive : Relation::nonnegative, {}, at,
+                               "among the values to choose from"));
+      else
+        outside.push_back(holds(room, open ? Relation::nonpositive : Relation::negative, {}, at,
+                                "not among the values to choose from"));
+    };
+    if (range.low) end(a - *range.low, range.open_low);
+    if (range.high) end(*range.high - a, range.open_high);
+    return std::pair(std::move(inside), std::move(outside));
   };
-  if (range.low && !end(v - *range.low, range.open_low)) return refuting(among.back());
-  if (range.high && !end(*range.high - v, range.open_high)) return refuting(among.back());
+  auto [parts, outside] = among(v);
+  if (!outside.empty()) return refuting(outside.front());
 
   const Question question(evaluator, minimax);
   const Extremum here = question.at(v);
@@ -146,7 +150,7 @@ Proposition Stating::best_choice(const Expression& at, const Minimax& minimax,
   std::optional<Rational> choice;
   for (const Rational& a : samples) {
     const double there = about(evaluator, question.at(Formula(a)));
-    if (there >= least) continue;
+    if (there >= least || !among(Formula(a)).second.empty()) continue;
     least = there;
     choice = a;
   }
@@ -154,13 +158,16 @@ Proposition Stating::best_choice(const Expression& at, const Minimax& minimax,
     const Rational bound =
         exact::simplest(Rational((least + most) / 2), Rational((most - least) / 4));
     const Attained place = nearly_attained(evaluator, here, 80);
-    Proposition less = everywhere(at, question.at(Formula(*choice)), "<", Scalar(Formula(bound)),
-                                  {}, false);
+    Proposition less =
+        everywhere(at, question.at(Formula(*choice)), "<", Scalar(Formula(bound)), {}, false);
     less.about = "with " + choice->get_str() + " the error is less everywhere";
     const Constraint more = compared(place.here, ">=", Scalar(Formula(bound)), {}, at);
-    return refuting(symbolic::all(
-        {std::move(less),
-         holds(more.formula, more.relation, {}, at, "with the value stated it is not")}));
+    std::vector<Proposition> shown = {
+        std::move(less),
+        holds(more.formula, more.relation, {}, at, "with the value stated it is not")};
+    for (Proposition& inside : among(Formula(*choice)).first)
+      shown.push_back(std::move(inside));
+    return refuting(symbolic::all(std::move(shown)));
   }
 
   const std::vector<Attained> places = attained(evaluator, here, 16);
@@ -201,10 +208,10 @@ Proposition Stating::best_choice(const Expression& at, const Minimax& minimax,
   bounded.about = "nowhere larger";
   Proposition above = on_side(true), below = on_side(false);
   state_attained(at, places[0]);
-  among.push_back(std::move(bounded));
-  among.push_back(std::move(above));
-  among.push_back(std::move(below));
-  return sufficient(symbolic::all(std::move(among)));
+  parts.push_back(std::move(bounded));
+  parts.push_back(std::move(above));
+  parts.push_back(std::move(below));
+  return sufficient(symbolic::all(std::move(parts)));
 }
 
 }  // namespace seam::claims

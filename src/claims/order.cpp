@@ -7,8 +7,8 @@
 
 // The pairs a <= b of an interval [l, h] are the triangle with the corners (l,l), (l,h), (h,h).
 // Its facets: opposite (l,l) b = h, opposite (l,h) a = b, opposite (h,h) a = l. With a < b the
-// ends a = h and b = l are left out anyway; with a <= b they are corners, so there the intervals
-// must leave out the same ends.
+// ends a = h and b = l are left out anyway; with a <= b they are corners, so there the
+// intervals must leave out the same ends.
 
 namespace seam::claims {
 namespace {
@@ -41,8 +41,8 @@ std::optional<Order> order(const Constraint& constraint, const Numbers& numbers)
     default:
       return std::nullopt;
   }
-  const bool strict = constraint.relation == Relation::negative ||
-                      constraint.relation == Relation::positive;
+  const bool strict =
+      constraint.relation == Relation::negative || constraint.relation == Relation::positive;
   return a_less ? Order{a, b, strict} : Order{b, a, strict};
 }
 

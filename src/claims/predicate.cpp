@@ -125,8 +125,8 @@ const std::map<std::string, Entry>& table() {
 
 const std::set<std::string>& later() {
   static const std::set<std::string> names = {
-      "G",      "C",           "pregeodesic",        "developable",
-      "ruled",  "cylindrical", "partition_of_unity", "nonnegative"};
+      "G",     "C",           "pregeodesic",        "developable",
+      "ruled", "cylindrical", "partition_of_unity", "nonnegative"};
   return names;
 }
 

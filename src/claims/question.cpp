@@ -50,9 +50,9 @@ void Reader::answer(MeantAsk& ask, const Formula& number, const std::string& dec
                     int digits) {
   const auto [value, half] = printed(decimal, digits);
   Stated stated;
-  stated.goal = symbolic::all(
-      {not_negative(number - Formula(exact::Rational(value - half)), not_below),
-       not_negative(Formula(exact::Rational(value + half)) - number, not_above)});
+  stated.goal =
+      symbolic::all({not_negative(number - Formula(exact::Rational(value - half)), not_below),
+                     not_negative(Formula(exact::Rational(value + half)) - number, not_above)});
   stated.guards = evaluator_.sides;
   ask.decimal = decimal;
   ask.closed_form = closed_form_of(meaning_.numbers->normal_form(number), *meaning_.numbers);
@@ -74,8 +74,8 @@ void Reader::enclose(MeantAsk& ask, const Extremum& extremum, int digits) {
       stating.compared(near.here, max ? ">=" : "<=", inner, {}, ask.expression);
   Stated stated;
   stated.goal = symbolic::all(
-      {std::move(bounded), stating.holds(c.formula, c.relation, {}, ask.expression,
-                                         max ? not_below : not_above)});
+      {std::move(bounded),
+       stating.holds(c.formula, c.relation, {}, ask.expression, max ? not_below : not_above)});
   stated.guards = std::move(stating.guards);
   stated.guards.insert(stated.guards.end(), evaluator_.sides.begin(), evaluator_.sides.end());
   ask.enclosure.emplace().exported = exported(stated, *meaning_.numbers);

@@ -82,8 +82,8 @@ struct Function {
 
 struct Value {
   std::variant<Scalar, Vector, MatrixValue, List, geometry::Curve, geometry::Patch, Field,
-               CurveField, SurfaceField, geometry::Mesh, geometry::Surface, Extremum, Minimax, Plane,
-               Region, Function>
+               CurveField, SurfaceField, geometry::Mesh, geometry::Surface, Extremum, Minimax,
+               Plane, Region, Function>
       content;
 
   template <class T>

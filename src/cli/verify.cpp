@@ -44,7 +44,8 @@ void run(std::vector<Task>& tasks, const claims::Meaning& meaning, const VerifyO
     const std::lock_guard lock(numbers);
     const auto& known = meaning.numbers->generators();
     for (const std::string& symbol : symbolic::symbols(f))
-      if (std::ranges::none_of(known, [&](const auto& g) { return g.name == symbol; })) return f;
+      if (std::ranges::none_of(known, [&](const auto& g) { return g.name == symbol; }))
+        return f;
     return meaning.numbers->normal_form(f);
   };
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
@@ -119,7 +120,11 @@ std::vector<Task> tasks_of(const claims::Meaning& meaning,
   for (const auto& item : meaning.items)
     if (const auto* ask = std::get_if<claims::MeantAsk>(&item);
         ask && selected(ask->id, patterns))
-      tasks.push_back({ask->id, &ask->statement, &ask->expression, {}, 0,
+      tasks.push_back({ask->id,
+                       &ask->statement,
+                       &ask->expression,
+                       {},
+                       0,
                        ask->enclosure ? &*ask->enclosure : nullptr});
   return tasks;
 }

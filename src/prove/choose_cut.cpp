@@ -114,7 +114,8 @@ std::optional<Subdivision::Cut> Subdivision::cut_at_zero_corner(const Piece& pie
         longest = length;
         opposite = {a, b};
       }
-    if (longest > 0) return edge(piece, opposite.first.factor, opposite.first.to, opposite.second.to);
+    if (longest > 0)
+      return edge(piece, opposite.first.factor, opposite.first.to, opposite.second.to);
   }
   return std::nullopt;
 }

@@ -104,8 +104,7 @@ Answer decide(Workshop& workshop, Question question) {
     bool is_new = false;
     for (const Touch& touch : find_touches(workshop, question.factors, f, search.worst(8))) {
       lift(workshop, question);
-      if (touch.sign != Sign::positive &&
-          (touch.sign == Sign::negative || question.strict) &&
+      if (touch.sign != Sign::positive && (touch.sign == Sign::negative || question.strict) &&
           lies_in(workshop, question, touch.place))
         return no(workshop, question, touch.place);
       if (touch.sign == Sign::negative || std::ssize(touches) >= most_touches) continue;

@@ -61,10 +61,10 @@ class Search {
     size_ = offset;
     const auto numerators = f.polynomial.numerators();
     for (const auto& term : numerators.terms)
-      size_of_f_ = std::max(size_of_f_, std::abs(exact::ball(f.polynomial.ring().number(
-                                                                 term.second,
-                                                                 numerators.denominator))
-                                                     .middle));
+      size_of_f_ = std::max(
+          size_of_f_,
+          std::abs(exact::ball(f.polynomial.ring().number(term.second, numerators.denominator))
+                       .middle));
   }
 
   // A touch on the face near the piece, if there is one.
@@ -219,8 +219,7 @@ class Search {
       for (const Rational& x : t) values.push_back(workshop_.numbers()->constant(x));
       const auto value = exact::enclosure(f.substitute(workshop_.numbers(), values), 2 * bits);
       const Rational nothing(1, Integer(1) << (bits - 50));
-      if (value.high > nothing || value.low < -nothing)
-        return nearly(at, t, value.high, bits);
+      if (value.high > nothing || value.low < -nothing) return nearly(at, t, value.high, bits);
     }
     std::vector<Polynomial> values;
     for (const Rational& x : t) {
@@ -242,8 +241,8 @@ class Search {
         about > 0 ? std::min(most_bits, 24L - std::ilogb(about / size_of_f_)) : most_bits;
     std::vector<Polynomial> values;
     for (const Rational& x : t)
-      values.push_back(workshop_.numbers()->constant(
-          exact::simplest(x, Rational(1, Integer(1) << bits))));
+      values.push_back(
+          workshop_.numbers()->constant(exact::simplest(x, Rational(1, Integer(1) << bits))));
     Place where = place(at, values);
     if (about <= 0) return verify(std::move(where));
     for (const auto& l : where)

@@ -74,7 +74,8 @@ Integer pow(const Integer& base, int exponent) {
 
 // x^n - a
 bool is_binomial(const Univariate& f) {
-  return f.back().rational() == Rational(1) && std::all_of(f.begin() + 1, f.end() - 1,
+  return f.back().rational() == Rational(1) &&
+         std::all_of(f.begin() + 1, f.end() - 1,
                      [](const Polynomial& c) { return c.is_zero(); });
 }
 
@@ -132,7 +133,9 @@ Polynomial Numbers::Tower::root_of(const Univariate& squarefree, RootInterval wh
 // x^2 + 2 p x + q: the roots are -p - r and -p + r with r^2 = p^2 - q.
 Polynomial Numbers::Tower::quadratic(const Univariate& f, RootInterval where) {
   const Polynomial middle = Rational(-1, 2) * f[1];
-  const auto side = [&](const Rational& end) { return exact::sign(ring->constant(end) - middle); };
+  const auto side = [&](const Rational& end) {
+    return exact::sign(ring->constant(end) - middle);
+  };
   while (side(where.low) != side(where.high)) where = exact::halved(f, where);
   const bool is_upper = side(where.low) == Sign::positive;
   const Polynomial r = power_root(middle * middle - f[0], 2), centre = ring->embed(middle);
@@ -171,10 +174,9 @@ Polynomial Numbers::Tower::power_root(const Polynomial& radicand, int n) {
   f[0] = -inside;
   f[n] = ring->constant(1);
   const Rational bound = exact::enclosure(inside, 4).high + 1;
-  const Polynomial root = 
-      inside == ring->constant(1)
-          ? inside
-          : adjoined(factor_at(ring->tower(), f, {0, bound}), {0, bound});
+  const Polynomial root = inside == ring->constant(1)
+                              ? inside
+                              : adjoined(factor_at(ring->tower(), f, {0, bound}), {0, bound});
   roots.push_back({n, inside, root});
   return factor * ring->embed(root);
 }
@@ -302,7 +304,8 @@ void Numbers::restore(const Mark& mark) {
   if (mark.ring == tower_->ring) return;
   tower_->ring = mark.ring;
   tower_->expansion = Expansion(mark.ring);
-  tower_->generators.erase(tower_->generators.begin() + mark.generators, tower_->generators.end());
+  tower_->generators.erase(tower_->generators.begin() + mark.generators,
+                           tower_->generators.end());
   tower_->roots.erase(tower_->roots.begin() + mark.roots, tower_->roots.end());
 }
 

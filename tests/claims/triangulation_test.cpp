@@ -35,8 +35,7 @@ exact::Rational size(const Simplex& s) {
 }
 
 TEST(Triangulation, a_square_is_two_triangles) {
-  const auto all =
-      triangulated({symbolic::interval("u", 0, 1), symbolic::interval("v", 0, 1)});
+  const auto all = triangulated({symbolic::interval("u", 0, 1), symbolic::interval("v", 0, 1)});
   ASSERT_EQ(all.size(), 2U);
   EXPECT_EQ(size(all[0]) + size(all[1]), 2);
   EXPECT_EQ(all[0].variables, (std::vector<std::string>{"u", "v"}));
