@@ -62,6 +62,12 @@ class Terms {
            "the ends of an interval are not rational");
   }
 
+  void operator()(const Function& function) const {
+    demand(!function.name.empty(), "a function without a name");
+    demand_term(function.radicand);
+    demand(function.degree >= 2, "a root of a degree below 2");
+  }
+
   void operator()(const Zero& zero) const { demand_term(zero.formula); }
 
   void operator()(const Simplex& simplex) const {
@@ -134,6 +140,8 @@ class Terms {
     demand_term(pieces.cofactor);
   }
 
+  void operator()(const Reduction& reduction) const { demand_sound(reduction, 0); }
+
   void operator()(const Point& point) const {
     demand(point.variables.size() == point.values.size(), "not one value for each variable");
     demand_terms(point.values);
@@ -160,6 +168,26 @@ class Terms {
   }
 
  private:
+  void demand_sound(const Reduction& reduction, int depth) const {
+    demand(depth < max_proof_depth, "a proof is nested too deeply");
+    demand_terms(reduction.terms);
+    if (reduction.kind == Reduction::Kind::combination) {
+      demand(reduction.conditions.size() == reduction.terms.size(),
+             "not one cofactor for each condition");
+      for (const int condition : reduction.conditions)
+        demand(condition >= 0, "a condition of a negative index");
+    } else {
+      demand(reduction.conditions.empty(), "conditions out of place");
+      demand(reduction.terms.size() == 1 && reduction.parts.size() == 2,
+             "a multiplier or a distinction of cases takes one term and two proofs");
+    }
+    for (const SignProof& part : reduction.parts)
+      if (const auto* inner = std::get_if<Reduction>(&part))
+        demand_sound(*inner, depth + 1);
+      else if (const auto* pieces = std::get_if<Pieces>(&part))
+        (*this)(*pieces);
+  }
+
   std::size_t count_;
 };
 
@@ -186,6 +214,7 @@ void check(const Statement& statement, const Evidence& evidence) {
   const Terms of_statement{stated};
   check_nodes(statement.nodes, 0);
   std::ranges::for_each(statement.generators, of_statement);
+  std::ranges::for_each(statement.functions, of_statement);
   for (const Obligation& obligation : statement.obligations)
     std::visit(of_statement, obligation);
   for (const int guard : statement.guards)

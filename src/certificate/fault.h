@@ -10,6 +10,8 @@ namespace seam::certificate {
 
 /// No goal is nested deeper.
 inline constexpr int max_goal_depth = 200;
+/// No proof of a sign is nested deeper.
+inline constexpr int max_proof_depth = 60;
 
 /// `-?digits(/digits)?` without needless zeros, and not too long to be read as a number.
 bool is_rational(std::string_view text);

@@ -79,6 +79,11 @@ Generator read_generator(const Reader& in) {
   return {in["name"].text(), in["polynomial"].integer(), in["low"].text(), in["high"].text()};
 }
 
+Function read_function(const Reader& in) {
+  in.members({"name", "radicand", "degree"});
+  return {in["name"].text(), in["radicand"].integer(), in["degree"].integer()};
+}
+
 Simplex read_simplex(const Reader& in) {
   in.members({"variables", "corners", "open"});
   return {in["variables"].texts(),
@@ -146,9 +151,18 @@ Goal read_goal(const Reader& in) {
 }
 
 Statement read_statement(const Reader& in) {
-  in.members({"generators", "nodes", "obligations", "guards", "goal"});
-  return {in["generators"].list(read_generator), in["nodes"].list(read_node),
-          in["obligations"].list(read_obligation), in["guards"].integers(),
+  std::vector<Function> functions;
+  if (in.has("functions")) {
+    in.members({"generators", "functions", "nodes", "obligations", "guards", "goal"});
+    functions = in["functions"].list(read_function);
+  } else {
+    in.members({"generators", "nodes", "obligations", "guards", "goal"});
+  }
+  return {in["generators"].list(read_generator),
+          std::move(functions),
+          in["nodes"].list(read_node),
+          in["obligations"].list(read_obligation),
+          in["guards"].integers(),
           read_goal(in["goal"])};
 }
 
@@ -213,11 +227,47 @@ WrongSolution read_wrong_solution(const Reader& in) {
   return {in["value"].integer(), in["claimed"].integer()};
 }
 
+SignProof read_sign_proof(const Reader& in);
+
+// Recursion is bounded: brackets are counted.
+Reduction read_reduction(const Reader& in) {
+  using enum Reduction::Kind;
+  const auto of_two_parts = [&in](Reduction::Kind kind, const char* name, const char* first,
+                                  const char* second) -> Reduction {
+    in.members({name, first, second});
+    return {kind,
+            {in[name].integer()},
+            {},
+            {read_sign_proof(in[first]), read_sign_proof(in[second])}};
+  };
+  if (in.has("multiplier"))
+    return of_two_parts(multiplier, "multiplier", "positive", "product");
+  if (in.has("conjugate")) return of_two_parts(conjugate, "conjugate", "sum", "product");
+  if (in.has("cases")) return of_two_parts(cases, "cases", "above", "below");
+  in.members({"combination", "cofactors", "parts"});
+  return {combination, in["cofactors"].integers(), in["combination"].integers(),
+          in["parts"].list(read_sign_proof)};
+}
+
+bool is_reduction(const Reader& in) {
+  return in.has("multiplier") || in.has("conjugate") || in.has("cases") ||
+         in.has("combination");
+}
+
+Computation read_computation(const Reader& in) {
+  if (in.text() != "computation") in.fail("a proof");
+  return {};
+}
+
+SignProof read_sign_proof(const Reader& in) {
+  if (in.is_text()) return read_computation(in);
+  if (is_reduction(in)) return read_reduction(in);
+  return read_tree(in);
+}
+
 Proof read_proof(const Reader& in) {
-  if (in.is_text()) {
-    if (in.text() != "computation") in.fail("a proof");
-    return Computation{};
-  }
+  if (in.is_text()) return read_computation(in);
+  if (is_reduction(in)) return read_reduction(in);
   const std::string kind = in.only_member();
   if (kind == "nothing") return read_nothing(in["nothing"]);
   if (kind == "pieces") return read_pieces(in["pieces"]);

@@ -34,6 +34,17 @@ struct Generator {
   bool operator==(const Generator&) const = default;
 };
 
+/// A root of a function. `name` is, at each point where `radicand` is >= 0, its root
+/// >= 0 of this degree; elsewhere it has no value, and an obligation that holds it says
+/// nothing. The radicand is a formula in generators, variables and earlier functions.
+struct Function {
+  std::string name;
+  Term radicand = 0;
+  int degree = 2;  ///< >= 2
+
+  bool operator==(const Function&) const = default;
+};
+
 /// f > 0, f >= 0, f = 0, f != 0, f <= 0, f < 0.
 enum class Relation { positive, nonnegative, zero, nonzero, nonpositive, negative };
 
@@ -68,14 +79,16 @@ struct Domain {
   bool operator==(const Domain&) const = default;
 };
 
-/// The formula is 0 identically, as a polynomial in all the variables it holds.
+/// The formula is 0 identically, for all values of the variables it holds for which the
+/// functions it holds have one.
 struct Zero {
   Term formula = 0;
 
   bool operator==(const Zero&) const = default;
 };
 
-/// `formula relation 0` at every point of the domain. Each variable of the formula
+/// `formula relation 0` at every point of the domain at which all functions of the obligation
+/// have a value. Each variable of the formula
 /// and of the constraints belongs to a factor. With no factor: a statement about
 /// one real number.
 struct Sign {
@@ -154,6 +167,7 @@ struct Goal {
 /// numbers that are the root they are named for.
 struct Statement {
   std::vector<Generator> generators;  ///< each in terms of those before it
+  std::vector<Function> functions;    ///< likewise
   std::vector<Node> nodes;
   std::vector<Obligation> obligations;
   std::vector<int> guards;  ///< indices in `obligations`

@@ -13,6 +13,8 @@ namespace {
 
 template <typename T>
 Json list(const std::vector<T>& entries);
+template <typename... Kinds>
+Json to_json(const std::variant<Kinds...>& value);
 
 Json to_json(int number) {
   return number;
@@ -50,6 +52,11 @@ Json to_json(const Generator& generator) {
           {"polynomial", generator.polynomial},
           {"low", generator.low},
           {"high", generator.high}};
+}
+
+Json to_json(const Function& function) {
+  return {
+      {"name", function.name}, {"radicand", function.radicand}, {"degree", function.degree}};
 }
 
 Json to_json(const Simplex& simplex) {
@@ -159,6 +166,24 @@ Json to_json(const Pieces& pieces) {
   return {{"pieces", members(pieces)}};
 }
 
+Json to_json(const Reduction& reduction) {
+  const auto part = [&reduction](std::size_t i) { return to_json(reduction.parts.at(i)); };
+  switch (reduction.kind) {
+    case Reduction::Kind::multiplier:
+      return {
+          {"multiplier", reduction.terms.at(0)}, {"positive", part(0)}, {"product", part(1)}};
+    case Reduction::Kind::conjugate:
+      return {{"conjugate", reduction.terms.at(0)}, {"sum", part(0)}, {"product", part(1)}};
+    case Reduction::Kind::cases:
+      return {{"cases", reduction.terms.at(0)}, {"above", part(0)}, {"below", part(1)}};
+    case Reduction::Kind::combination:
+      return {{"combination", list(reduction.conditions)},
+              {"cofactors", list(reduction.terms)},
+              {"parts", list(reduction.parts)}};
+  }
+  throw FormatError("a reduction of no kind");
+}
+
 Json to_json(const Point& point) {
   return {{"variables", list(point.variables)}, {"values", list(point.values)}};
 }
@@ -235,11 +260,13 @@ const char* spelling(Verdict verdict) {
 }
 
 Json to_json(const Statement& statement) {
-  return {{"generators", list(statement.generators)},
-          {"nodes", list(statement.nodes)},
-          {"obligations", list(statement.obligations)},
-          {"guards", list(statement.guards)},
-          {"goal", to_json(statement.goal)}};
+  Json value = {{"generators", list(statement.generators)}};
+  if (!statement.functions.empty()) value["functions"] = list(statement.functions);
+  value["nodes"] = list(statement.nodes);
+  value["obligations"] = list(statement.obligations);
+  value["guards"] = list(statement.guards);
+  value["goal"] = to_json(statement.goal);
+  return value;
 }
 
 Json to_json(const Certificate& certificate) {

@@ -6,11 +6,15 @@
 
 // A name means one thing throughout. Evidence could otherwise turn a variable of the
 // statement into a number of its own choice.
+//
+// A function f stands where it has a value for its root, so that f^degree may be replaced by
+// its radicand. A radicand holds earlier functions alone: rewriting ends.
 
 namespace seam::check {
 namespace {
 
 using certificate::Evidence;
+using certificate::Function;
 using certificate::Generator;
 using certificate::Node;
 using certificate::Statement;
@@ -44,6 +48,7 @@ Context::Context(const Statement& statement, const Evidence& evidence, Meter& me
       known_(statement.nodes.size() + evidence.nodes.size()) {
   name_symbols();
   accept_generators();
+  accept_functions();
 }
 
 void Context::name_symbols() {
@@ -65,11 +70,19 @@ void Context::name_symbols() {
     demand(index < below || index >= generators_,
            "degenerate: a number has the name of a variable");
   };
+  std::set<std::string> functions;
+  for (const Function& function : statement_->functions) functions.insert(function.name);
+  const auto is_variable = [&functions](const Node& node) {
+    return node.kind == Node::Kind::symbol && !functions.contains(node.text);
+  };
   for (const std::string& name : declared_variables(*statement_)) add_variable(name, 0);
   for (const Node& node : statement_->nodes)
-    if (node.kind == Node::Kind::symbol) add_variable(node.text, stated);
+    if (is_variable(node)) add_variable(node.text, stated);
   for (const Node& node : evidence_->nodes)
-    if (node.kind == Node::Kind::symbol) add_variable(node.text, generators_);
+    if (is_variable(node)) add_variable(node.text, generators_);
+  first_function_ = static_cast<int>(symbols_.size());
+  for (const Function& function : statement_->functions)
+    demand(add(function.name), "degenerate: a function has the name of something else");
 }
 
 void Context::accept_generators() {
@@ -77,6 +90,48 @@ void Context::accept_generators() {
     for (const Generator& generator : *generators)
       tower_.extend(value(generator.polynomial), rational(generator.low),
                     rational(generator.high));
+}
+
+void Context::accept_functions() {
+  for (const Function& function : statement_->functions) {
+    const int index = first_function_ + static_cast<int>(radicands_.size());
+    const std::set<int> held = functions({function.radicand});
+    demand(held.empty() || *held.rbegin() < index,
+           "degenerate: a radicand holds its own function or a later one");
+    radicands_.push_back(value(function.radicand));
+    ring_.add_rule(index, ring_.difference(symbol(index, function.degree), radicands_.back()));
+  }
+}
+
+std::set<int> Context::functions(std::vector<Term> terms) const {
+  std::set<int> found;
+  if (statement_->functions.empty()) return found;
+  std::vector<bool> seen(known_.size());
+  while (!terms.empty()) {
+    const Term term = terms.back();
+    terms.pop_back();
+    meter_->charge(1);
+    if (seen[static_cast<std::size_t>(term)]) continue;
+    seen[static_cast<std::size_t>(term)] = true;
+    const auto& [kind, text, operands, exponent] = node(term);
+    terms.insert(terms.end(), operands.begin(), operands.end());
+    if (kind != Node::Kind::symbol || symbols_.at(text) < first_function_) continue;
+    found.insert(symbols_.at(text));
+    terms.push_back(function(symbols_.at(text)).radicand);
+  }
+  return found;
+}
+
+const Function& Context::function(int index) const {
+  return statement_->functions[static_cast<std::size_t>(index - first_function_)];
+}
+
+int Context::degree(int function) const {
+  return this->function(function).degree;
+}
+
+const Polynomial& Context::radicand(int function) const {
+  return radicands_[static_cast<std::size_t>(function - first_function_)];
 }
 
 const Node& Context::node(Term term) const {

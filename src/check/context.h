@@ -13,11 +13,15 @@
 namespace seam::check {
 
 /// A statement and its evidence as numbers and polynomials: what all rules work with.
-/// Symbols are numbered: generators of the statement, those of the evidence, variables.
+/// Symbols are numbered: generators of the statement, those of the evidence, variables,
+/// functions. Every value is in normal form also with respect to
+///     function^degree = radicand,
+/// and so stands for the term wherever the functions in it have a value.
 /// Requires that neither has a `certificate::fault`; keeps references to both.
 class Context {
  public:
-  /// Accepts every generator, or throws `Open`: also where a name stands for two things.
+  /// Accepts every generator and function, or throws `Open`: also where a name stands for two
+  /// things.
   Context(const certificate::Statement&, const certificate::Evidence&, Meter&);
 
   Meter& meter() { return *meter_; }
@@ -30,7 +34,12 @@ class Context {
   Polynomial number(certificate::Term);
   Polynomial rational(const std::string& text) { return parse_rational(text, *meter_); }
 
-  /// The symbol of a variable. Throws `Open` if the name is none of a variable.
+  /// The functions that stand in these terms, and in the radicands of such.
+  std::set<int> functions(std::vector<certificate::Term>) const;
+  int degree(int function) const;
+  const Polynomial& radicand(int function) const;
+
+  /// The symbol of a variable or a function. Throws `Open` if the name is none.
   int variable(const std::string& name) const;
   std::set<int> variables(const std::vector<std::string>& names) const;
   /// From this symbol on, none stands in a formula.
@@ -40,8 +49,10 @@ class Context {
 
  private:
   const certificate::Node& node(certificate::Term) const;
+  const certificate::Function& function(int index) const;
   void name_symbols();
   void accept_generators();
+  void accept_functions();
   Polynomial evaluated(const certificate::Node&);
 
   const certificate::Statement* statement_;
@@ -51,6 +62,8 @@ class Context {
   Tower tower_;
   std::map<std::string, int> symbols_;
   int generators_ = 0;
+  int first_function_ = 0;
+  std::vector<Polynomial> radicands_;
   std::vector<std::optional<Polynomial>> known_;
   std::size_t known_words_ = 0;
 };

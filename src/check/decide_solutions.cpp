@@ -83,6 +83,7 @@ std::vector<Polynomial> coefficients(Context& context, const Polynomial& formula
 }
 
 Problem read_problem(Context& context, const Solutions& stated) {
+  demand(context.functions(stated.system).empty(), "unsupported: a system with functions");
   Problem problem{context.variable(stated.unknown), {}, {}};
   demand(stated.domain.variables == std::vector{stated.unknown},
          "degenerate: the domain is not one of the unknown");

@@ -24,10 +24,11 @@
 //   l; and when no coefficient is negative, F(l) > 0. It is asked of every choice of
 //   minimal subsets, one for each factor.
 //
-//   A condition g > 0, g < 0 or g != 0 of the region none of whose monomials is in the corners
-//   of the S_m alone is 0 at l, so l is no point of the region. Where the region has such
-//   conditions, every choice of subsets is looked at, not the minimal alone, and those are
-//   passed over on which one vanishes.
+//   Of a condition g R 0 of the region, the monomials in the corners of the S_m alone are
+//   positive at l, the others 0: g is 0 at l if there are none of the former, and has a strict
+//   sign if their coefficients have one. If that is not as R asks, l is no point of the region.
+//   Where the region has conditions, every choice of subsets is looked at, not the minimal
+//   alone, and those are passed over on which one is broken.
 //
 // Shares are a matter of booleans: weights of a split are >= 0, their signs known.
 
@@ -95,24 +96,44 @@ bool some_lies_in(const Held& monomials, const std::vector<std::vector<Corners>>
                              [&](const auto& held) { return lies_in(held, faces, choice); });
 }
 
-// The monomials of each condition that excludes 0.
-std::vector<Held> excluding_zero(Context& context, const Region& region, const Piece& piece) {
-  std::vector<Held> result;
+// A condition over a piece: its monomials by the sign of the coefficient, in both lists where
+// that is not known.
+struct Signs {
+  Relation relation;
+  Held positive, negative;
+};
+
+std::vector<Signs> signs_of_conditions(Context& context, const Region& region,
+                                       const Piece& piece) {
+  std::vector<Signs> result;
   for (std::size_t i = 0; i < region.where.size(); ++i) {
-    if (holds(region.where[i].relation, 0)) continue;
-    Held& monomials = result.emplace_back();
+    Signs& signs = result.emplace_back();
+    signs.relation = region.where[i].relation;
     const auto coefficients =
         by_monomial(piece.formulas[i + 1], context.tower().size(), context.meter());
-    for (const auto& entry : coefficients) monomials.push_back(corners_in(entry.first, region));
+    for (const auto& [monomial, coefficient] : coefficients) {
+      const int sign = context.tower().find_sign(coefficient).value_or(2);
+      if (sign > 0) signs.positive.push_back(corners_in(monomial, region));
+      if (sign < 0 || sign == 2) signs.negative.push_back(corners_in(monomial, region));
+    }
   }
   return result;
 }
 
+// Whether it is broken at all inner points of the faces.
+bool is_broken(const Signs& condition, const std::vector<std::vector<Corners>>& faces,
+               const std::vector<std::size_t>& choice) {
+  const bool above = some_lies_in(condition.positive, faces, choice);
+  const bool below = some_lies_in(condition.negative, faces, choice);
+  return !(above && below) && !holds(condition.relation, above ? 1 : below ? -1 : 0);
+}
+
 bool meets_every_face(Context& context, const Region& region, const Piece& piece,
                       const Held& positive) {
-  const std::vector<Held> conditions = excluding_zero(context, region, piece);
+  const std::vector<Signs> conditions = signs_of_conditions(context, region, piece);
   std::size_t monomials = positive.size();
-  for (const Held& condition : conditions) monomials += condition.size();
+  for (const Signs& signs : conditions)
+    monomials += signs.positive.size() + signs.negative.size();
   std::vector<std::vector<Corners>> faces;
   for (std::size_t m = 0; m < region.factors.size(); ++m) {
     faces.push_back(faces_inside(region.factors[m], piece.supports[m], !conditions.empty(),
@@ -122,10 +143,11 @@ bool meets_every_face(Context& context, const Region& region, const Piece& piece
   std::vector<std::size_t> choice(faces.size(), 0);
   do {
     context.meter().charge(monomials * faces.size());
-    const bool is_excluded = std::ranges::any_of(conditions, [&](const Held& condition) {
-      return !some_lies_in(condition, faces, choice);
+    if (some_lies_in(positive, faces, choice)) continue;
+    const bool is_excluded = std::ranges::any_of(conditions, [&](const Signs& condition) {
+      return is_broken(condition, faces, choice);
     });
-    if (!is_excluded && !some_lies_in(positive, faces, choice)) return false;
+    if (!is_excluded) return false;
   } while (advance(choice, faces));
   return true;
 }

@@ -21,7 +21,17 @@ Polynomial value_at(Context& context, Polynomial formula, const Point& point) {
   return formula;
 }
 
-void demand_inside(Context& context, const Region& region, const Point& point) {
+void demand_inside(Context& context, const Region& region, const std::set<int>& functions,
+                   const Point& point) {
+  for (const int function : functions) {
+    demand(point.contains(function), "a point lacks a value for a function");
+    const Polynomial& value = point.at(function);
+    const Polynomial power = context.ring().power(value, context.degree(function));
+    const Polynomial radicand = value_at(context, context.radicand(function), point);
+    demand(context.tower().sign(value) >= 0 &&
+               context.tower().sign(context.ring().difference(power, radicand)) == 0,
+           "a value at a point is not the root that its function is");
+  }
   for (const Factor& factor : region.factors) {
     Coordinates values;
     for (const int variable : factor.variables) {

@@ -77,10 +77,11 @@ Polynomial constant(const Integer& numerator, const Integer& denominator) {
   return p;
 }
 
-Polynomial symbol(int index) {
+Polynomial symbol(int index, int exponent) {
+  demand(exponent <= Meter::max_exponent, "effort");
   Polynomial p;
   Monomial monomial(static_cast<std::size_t>(index), u'\0');
-  monomial.push_back(1);
+  monomial.push_back(static_cast<char16_t>(exponent));
   p.terms.emplace(std::move(monomial), 1);
   return p;
 }

@@ -32,7 +32,8 @@ struct Polynomial {
 };
 
 Polynomial constant(const Integer& numerator, const Integer& denominator = 1);
-Polynomial symbol(int index);
+/// symbol^exponent, exponent >= 1.
+Polynomial symbol(int index, int exponent = 1);
 
 /// Of the form -?digits(/digits)?, without leading zeros.
 Polynomial parse_rational(const std::string& text, Meter& meter);

@@ -2,13 +2,16 @@
 #include "check/region.h"
 
 #include <algorithm>
-#include <numeric>
+#include <ranges>
 #include <utility>
 
 // Why `in_barycentric` keeps signs. Let W = sum l_j w_j and X_i = sum l_j x_ij over the
 // corners j of a factor. A point of the factor is x = X / W with W > 0. A part of
 // degree t in x becomes, times W^d,  part(X) W^(d-t): no division, and a positive
 // multiple of the formula.
+//
+// Factors are taken from the last on: a function is replaced by its coordinates before anything
+// is multiplied out that its rule would reduce, and it stands in no radicand of an earlier one.
 //
 // Why `contains` is right. By Cramer's rule the l with (1, x) = sum l_j corner_j is
 // l_j = det_j / det, det_j with (1, x) in place of corner j. It is the only one, so x lies in
@@ -95,7 +98,8 @@ Factor make_factor(Context& context, std::vector<int> variables,
   return factor;
 }
 
-Region make_region(Context& context, const certificate::Domain& domain) {
+Region make_region(Context& context, const certificate::Domain& domain,
+                   const std::set<int>& functions) {
   Region region;
   std::set<int> all;
   int next = context.free_symbol();
@@ -106,10 +110,28 @@ Region make_region(Context& context, const certificate::Domain& domain) {
       demand(all.insert(variable).second, "degenerate: a variable is named twice");
     region.factors.push_back(std::move(factor));
   }
+  all.insert(functions.begin(), functions.end());
   for (const auto& [formula, relation] : domain.where) {
     region.where.push_back({context.value(formula), relation});
     demand(context.depends_only_on(region.where.back().formula, all),
            "degenerate: a variable outside the domain");
+  }
+  return region;
+}
+
+Region with_functions(Context& context, Region region, const std::set<int>& functions) {
+  int next = context.free_symbol();
+  for (const Factor& factor : region.factors) next += static_cast<int>(factor.corners.size());
+  for (const int function : functions) {
+    const Polynomial nil = constant(0), one = constant(1);
+    region.factors.push_back(
+        make_factor(context, {function}, {{one, nil}, {nil, one}}, {false, false}, next));
+    next += 2;
+    demand(context.depends_only_on(context.radicand(function), variables(region)),
+           "degenerate: a variable outside the domain");
+    const Polynomial power = symbol(function, context.degree(function));
+    region.where.push_back({context.ring().difference(power, context.radicand(function)),
+                            certificate::Relation::zero});
   }
   return region;
 }
@@ -136,7 +158,7 @@ bool contains(Context& context, const Factor& factor, const Coordinates& values)
 }
 
 Polynomial in_barycentric(Context& context, const Region& region, Polynomial formula) {
-  for (const Factor& factor : region.factors)
+  for (const Factor& factor : std::views::reverse(region.factors))
     formula = in_barycentric(context, factor, formula);
   return formula;
 }

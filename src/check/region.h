@@ -37,8 +37,13 @@ struct Region {
 /// Throws `Open` unless the corners are independent, of weights >= 0, and few.
 Factor make_factor(Context&, std::vector<int> variables, std::vector<Coordinates> corners,
                    std::vector<bool> open, int first_symbol);
-/// Throws `Open` if this is no domain: see `certificate::Domain`.
-Region make_region(Context&, const certificate::Domain&);
+/// Throws `Open` if this is no domain: see `certificate::Domain`. Conditions may hold these
+/// functions beside variables.
+Region make_region(Context&, const certificate::Domain&, const std::set<int>& functions = {});
+/// The region with these functions as further coordinates, each in a factor [0, infinity),
+/// and with the conditions function^degree - radicand = 0, which stand as they are: not
+/// reduced.
+Region with_functions(Context&, Region, const std::set<int>& functions);
 std::set<int> variables(const Region&);
 
 /// Whether (1, values) lies in the simplex, open facets left out.

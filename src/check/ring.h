@@ -7,8 +7,8 @@
 
 namespace seam::check {
 
-/// Polynomials modulo the defining equations of numbers. Results are in normal form: no
-/// symbol that has a rule stands in the degree of its rule or above.
+/// Polynomials modulo the defining equations of numbers and functions. Results are in normal
+/// form: no symbol that has a rule stands in the degree of its rule or above.
 ///
 /// Equal normal forms have equal values. Different ones may have equal values too,
 /// where a defining polynomial is reducible over the numbers before it.

@@ -14,8 +14,9 @@ bool decide(Context&, const certificate::Solutions&, const certificate::Proof&);
 bool decide(Context&, const certificate::Gluing&, const certificate::Proof&);
 bool decide(Context&, const certificate::Distinct&, const certificate::Proof&);
 
-/// Returns only if the pieces prove `formula relation 0` on the region; else throws `Open`.
+/// Returns only if the proof shows `formula relation 0` on the region; else throws `Open`.
+/// Requires that the formula holds no variables but the region's.
 void verify(Context&, const Region&, const Polynomial& formula, certificate::Relation,
-            const certificate::Pieces&);
+            const certificate::SignProof&);
 
 }  // namespace seam::check

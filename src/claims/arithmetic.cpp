@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
-#include "claims/evaluate.h"
+#include "claims/builtin.h"
 
 // What + - * / ^ mean for values that are not numbers: vectors and matrices as usual;
 // a matrix or a number times a curve, patch, solid or surface moves it, a vector
@@ -23,7 +23,8 @@ using symbolic::Point;
 using Motion = std::function<Point(const Point&)>;
 
 // A value with every control point or vertex moved; nothing if it has none.
-std::optional<Value> moved(Evaluator& evaluator, const Value& value, const Motion& motion) {
+std::optional<Value> moved(Evaluator& evaluator, const Expression& at, const Value& value,
+                           const Motion& motion) {
   const Motion reduced = [&](const Point& point) {
     Point image = motion(point);
     for (Formula& entry : image)
@@ -39,12 +40,12 @@ std::optional<Value> moved(Evaluator& evaluator, const Value& value, const Motio
   if (const auto* mesh = value.as<Mesh>()) {
     Mesh image = *mesh;
     for (Point& point : image.vertices) point = motion(point);
-    return Value{image};
+    return Value{solid(std::move(image), at)};
   }
   if (const auto* surface = value.as<Surface>()) {
     std::vector<Patch> images;
     for (const Patch& patch : surface->patches) images.push_back(geometry::map(patch, reduced));
-    return Value{geometry::surface(std::move(images), evaluator.numbers)};
+    return Value{glue(std::move(images), at, evaluator.numbers)};
   }
   return std::nullopt;
 }
@@ -110,7 +111,7 @@ std::optional<Value> sum_of(Evaluator& evaluator, const Expression& at, const Va
       if (point.size() != shift.size()) fail(at, "this shift is not of the dimension of space");
       return plus ? point + shift : point - shift;
     };
-    return moved(evaluator, a, motion);
+    return moved(evaluator, at, a, motion);
   }
   return std::nullopt;
 }
@@ -137,7 +138,7 @@ std::optional<Value> product_of(Evaluator& evaluator, const Expression& at, cons
       return Value{result};
     }
     const Formula factor = as_formula(evaluator, a, at);
-    return moved(evaluator, b, [&](const Point& point) { return factor * point; });
+    return moved(evaluator, at, b, [&](const Point& point) { return factor * point; });
   }
   if (b.as<Scalar>()) return product_of(evaluator, at, b, a);
   if (const auto* m = a.as<MatrixValue>()) {
@@ -158,7 +159,7 @@ std::optional<Value> product_of(Evaluator& evaluator, const Expression& at, cons
     if (static_cast<int>(m->rows.front().size()) != dimension_of(b))
       fail(at, "this matrix does not fit the dimension of space");
     const Matrix matrix = as_matrix(evaluator, a, at);
-    return moved(evaluator, b, [&](const Point& point) { return matrix * point; });
+    return moved(evaluator, at, b, [&](const Point& point) { return matrix * point; });
   }
   if (const auto* f = a.as<Field>(), *g = b.as<Field>();
       f && g && f->shape == g->shape && f->components.size() == 1)

@@ -45,6 +45,11 @@ const Builtins& solid_builtins();        ///< faces dual rotations orbit surface
 const Builtins& extremum_builtins();     ///< max min argmax argmin
 const Builtins& minimax_builtins();      ///< minimax
 
+/// Surfaces and solids live in space, and their points are numbers: an error at `at`, or
+/// `Unsupported`, where they would not.
+geometry::Surface glue(std::vector<geometry::Patch>, const Expression& at, const Numbers&);
+geometry::Mesh solid(geometry::Mesh, const Expression& at);
+
 /// A value given by an `each` argument (`sum(E for i in R)`) or by a list: its items.
 std::vector<Value> items_of_argument(const Call&);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <functional>
 
 #include "claims/builtin.h"
 
@@ -11,11 +12,17 @@ namespace {
 
 using symbolic::Fact;
 
+// f of a number or function; on a patch, point by point.
+Value of_scalar(const Call& call, const std::function<Scalar(const Scalar&)>& f) {
+  const Value value = call.value(0);
+  if (const auto* field = value.as<Field>(); field && field->components.size() == 1)
+    return {Field{field->shape, {f(field->components[0])}}};
+  return {f(as_scalar(call.evaluator, value, call[0]))};
+}
+
 Value root_of(const Call& call, int n) {
-  const Scalar radicand = as_scalar(call.evaluator, call.value(0), call[0]);
-  if (!is_number(radicand))
-    throw Unsupported("a root of a function is not covered yet; of a number it is");
-  return {Scalar(call.evaluator.numbers.nth_root(radicand.numerator, n))};
+  return of_scalar(
+      call, [&](const Scalar& x) { return nth_root(x, n, call.evaluator.numbers); });
 }
 
 Value sqrt(const Call& call) {
@@ -38,9 +45,10 @@ Formula absolute(const Call& call, const Value& value) {
 }
 
 Value abs(const Call& call) {
-  const Scalar x = as_scalar(call.evaluator, call.value(0), call[0]);
-  if (!is_number(x)) throw Unsupported("|f| of a function is not covered yet");
-  return {Scalar(absolute(call, {x}))};
+  return of_scalar(call, [&](const Scalar& x) {
+    return is_number(x) ? Scalar(absolute(call, {x}))
+                        : claims::absolute(x, call.evaluator.numbers);
+  });
 }
 
 // The integer n with n <= x < n + 1.

@@ -19,15 +19,17 @@ const Formula& v() {
   return symbol;
 }
 
-Field field(const Patch& patch, const Point& components) {
-  return {patch.shape(), {components.begin(), components.end()}};
+Vector scalars(const Call& call, const Point& point) {
+  Vector result;
+  for (const Formula& entry : point)
+    result.push_back(scalar_of(entry, call.evaluator.numbers));
+  return result;
 }
 
-Field field(const Patch& patch, const geometry::Quotient& quotient) {
-  Scalar value(quotient.numerator);
-  value.denominator = quotient.denominator;
-  value.divisors = {quotient.denominator};
-  return {patch.shape(), {value}};
+Field field(const Call& call, const Patch& patch, const geometry::Quotient& quotient) {
+  Numbers& numbers = call.evaluator.numbers;
+  return {patch.shape(), {divide(scalar_of(quotient.numerator, numbers),
+                                 scalar_of(quotient.denominator, numbers), numbers)}};
 }
 
 Patch patch(const Call& call) {
@@ -44,10 +46,10 @@ Value derivative(const Call& call, int i, int j) {
   const Value value = call.value(0);
   if (const auto* curve = value.as<Curve>()) {
     const Point d = geometry::derivative(*curve, i + j, u());
-    return {CurveField{{d.begin(), d.end()}}};
+    return {CurveField{scalars(call, d)}};
   }
   const Patch p = patch(call);
-  return {field(p, geometry::derivative(p, i, j, u(), v()))};
+  return {Field{p.shape(), scalars(call, geometry::derivative(p, i, j, u(), v()))}};
 }
 
 Value d1(const Call& call) {
@@ -64,7 +66,7 @@ Value d(const Call& call) {
 
 Value normal(const Call& call) {
   const Patch p = patch_in_space(call);
-  return {field(p, geometry::normal(p, u(), v()))};
+  return {Field{p.shape(), scalars(call, geometry::normal(p, u(), v()))}};
 }
 
 Value gauss(const Call& call) {
@@ -72,11 +74,11 @@ Value gauss(const Call& call) {
   if (const auto* surface = value.as<geometry::Surface>()) {
     SurfaceField result;
     for (const Patch& p : surface->patches)
-      result.fields.push_back(field(p, geometry::gauss(p, u(), v())));
+      result.fields.push_back(field(call, p, geometry::gauss(p, u(), v())));
     return {result};
   }
   const Patch p = patch_in_space(call);
-  return {field(p, geometry::gauss(p, u(), v()))};
+  return {field(call, p, geometry::gauss(p, u(), v()))};
 }
 
 Value control(const Call& call) {
@@ -84,14 +86,14 @@ Value control(const Call& call) {
   const long i = call.integer(1);
   if (const auto* curve = value.as<Curve>()) {
     if (i < 0 || i > curve->degree()) fail(call[1], "no control point of this index");
-    return vector_value(curve->control[i]);
+    return vector_value(curve->control[i], call.evaluator.numbers);
   }
   const Patch p = patch(call);
   if (call.count() != 3) fail(call.at, "a control point of a patch has two indices");
   const long j = call.integer(2);
   if (j < 0 || j >= std::ssize(p.rows()) || i < 0 || i >= std::ssize(p.rows()[j]))
     fail(call.at, "no control point of these indices");
-  return vector_value(p.control(static_cast<int>(i), static_cast<int>(j)));
+  return vector_value(p.control(static_cast<int>(i), static_cast<int>(j)), call.evaluator.numbers);
 }
 
 Value elevate(const Call& call) {
@@ -120,7 +122,7 @@ Value moved(const Call& call, const std::function<Point(const Point&)>& f) {
     return f(point);
   };
   if (value.as<Vector>())
-    return vector_value(checked(as_point(call.evaluator, value, call[0])));
+    return vector_value(checked(as_point(call.evaluator, value, call[0])), call.evaluator.numbers);
   if (const auto* curve = value.as<Curve>()) {
     Curve image;
     for (const Point& point : curve->control) image.control.push_back(checked(point));
@@ -129,7 +131,7 @@ Value moved(const Call& call, const std::function<Point(const Point&)>& f) {
   if (const auto* surface = value.as<geometry::Surface>()) {
     std::vector<Patch> images;
     for (const Patch& p : surface->patches) images.push_back(geometry::map(p, checked));
-    return {geometry::surface(std::move(images), call.evaluator.numbers)};
+    return {glue(std::move(images), call[0], call.evaluator.numbers)};
   }
   return {geometry::map(patch(call), checked)};
 }
@@ -139,9 +141,10 @@ Value reflect(const Call& call) {
   const Point n = as_point(call.evaluator, {plane.normal}, call[1]);
   if (n.size() != 3) fail(call[1], "the normal of a plane has three coordinates");
   const Formula offset = as_formula(call.evaluator, {plane.offset}, call[1]);
-  return moved(call, [&](const Point& point) {
-    return geometry::reflect(point, n, offset, call.evaluator.numbers);
-  });
+  const Scalar share = divide(Scalar(1), Scalar(geometry::norm2(n)), call.evaluator.numbers);
+  const Formula inverse = as_formula(call.evaluator, {share}, call[1]);
+  return moved(
+      call, [&](const Point& point) { return geometry::reflect(point, n, offset, inverse); });
 }
 
 // cos and sin of pi/n for n = 1, 2, 3, 4, 5, 6 and 10, by radicals.
@@ -199,7 +202,9 @@ Value rotate(const Call& call) {
     sine = call.evaluator.numbers.normal_form(cosine * s + sine * c);
     cosine = next;
   }
-  const Point axis = as_point(call.evaluator, call.value(1), call[1]);
+  Point axis;
+  for (const Scalar& entry : call.vector(1))
+    axis.push_back(as_number(call.evaluator, {entry}, call[1]));
   if (axis.size() != 3) fail(call[1], "an axis has three coordinates");
   const geometry::Matrix matrix =
       geometry::rotation(axis, cosine, sine, call.evaluator.numbers);

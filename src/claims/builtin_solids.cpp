@@ -2,44 +2,71 @@
 #include "claims/builtin.h"
 
 namespace seam::claims {
+
+using symbolic::Point;
+
+static void require_in_space(const Point& point, const Expression& at, const char* what) {
+  if (point.size() != 3)
+    fail(at, std::string("expected ") + what + " in space, with three coordinates");
+  for (const Formula& entry : point)
+    if (!symbolic::is_number(entry))
+      throw Unsupported(std::string(what) + " that hold variables are not covered yet");
+}
+
+static void require_in_space(const geometry::Patch& patch, const Expression& at) {
+  for (const auto& row : patch.rows())
+    for (const Point& point : row) require_in_space(point, at, "patches of surfaces");
+}
+
+geometry::Surface glue(std::vector<geometry::Patch> patches, const Expression& at,
+                       const Numbers& numbers) {
+  for (const geometry::Patch& patch : patches) require_in_space(patch, at);
+  return geometry::surface(std::move(patches), numbers);
+}
+
+geometry::Mesh solid(geometry::Mesh mesh, const Expression& at) {
+  for (const Point& vertex : mesh.vertices) require_in_space(vertex, at, "vertices of solids");
+  return mesh;
+}
+
 namespace {
 
 using geometry::Mesh;
 using geometry::Patch;
 using geometry::Surface;
-using symbolic::Point;
 
 Mesh mesh(const Call& call, std::size_t i = 0) {
   return call.get<Mesh>(i, "a solid");
 }
 
-List list_of(const std::vector<Point>& points) {
+List list_of(const std::vector<Point>& points, Numbers& numbers) {
   List list;
-  for (const Point& point : points) list.items.push_back(vector_value(point));
+  for (const Point& point : points) list.items.push_back(vector_value(point, numbers));
   return list;
 }
 
-List list_of(const std::vector<std::vector<Point>>& groups) {
+List list_of(const std::vector<std::vector<Point>>& groups, Numbers& numbers) {
   List list;
-  for (const auto& group : groups) list.items.push_back({list_of(group)});
+  for (const auto& group : groups) list.items.push_back({list_of(group, numbers)});
   list.distinct = true;
   return list;
 }
 
 Value vertices(const Call& call) {
-  List list = list_of(mesh(call).vertices);
+  List list = list_of(mesh(call).vertices, call.evaluator.numbers);
   list.distinct = true;
   return {list};
 }
 Value edges(const Call& call) {
-  return {list_of(geometry::edges(mesh(call)))};
+  return {list_of(geometry::edges(mesh(call)), call.evaluator.numbers)};
 }
 Value faces(const Call& call) {
-  return {list_of(geometry::faces(mesh(call)))};
+  return {list_of(geometry::faces(mesh(call)), call.evaluator.numbers)};
 }
 
 Value valence(const Call& call) {
   const Point point = as_point(call.evaluator, call.value(1), call[1]);
+  require_in_space(point, call[1], "a vertex");
   return {
       Scalar(static_cast<long>(geometry::valence(mesh(call), point, call.evaluator.numbers)))};
 }
@@ -50,7 +77,8 @@ Value centroid(const Call& call) {
   const auto points =
       value.as<Mesh>() ? value.as<Mesh>()->vertices : as_points(call.evaluator, value, call[0]);
   if (points.empty()) fail(call[0], "no points");
-  return vector_value(geometry::centroid(points, call.evaluator.numbers));
+  Numbers& numbers = call.evaluator.numbers;
+  return vector_value(geometry::centroid(points, numbers), numbers);
 }
 
 Value midpoint(const Call& call) {
@@ -63,7 +91,8 @@ Value midpoint(const Call& call) {
   }
   if (ends.size() != 2 || ends[0].size() != ends[1].size())
     fail(call.at, "expected two points");
-  return vector_value(geometry::centroid(ends, call.evaluator.numbers));
+  Numbers& numbers = call.evaluator.numbers;
+  return vector_value(geometry::centroid(ends, numbers), numbers);
 }
 
 Value dual(const Call& call) {
@@ -91,23 +120,15 @@ Value symmetries(const Call& call) {
   return group(geometry::symmetries(mesh(call), call.evaluator.numbers));
 }
 
-void require_numbers(const Patch& patch, const Expression& at) {
-  if (patch.dimension() != 3) fail(at, "expected patches in space, with three coordinates");
-  for (const auto& row : patch.rows())
-    for (const Point& point : row)
-      for (const Formula& entry : point)
-        if (!symbolic::is_number(entry))
-          throw Unsupported("surfaces whose control points hold variables are not covered yet");
-}
-
 Value orbit(const Call& call) {
   const Patch patch = call.get<Patch>(0, "a patch");
-  require_numbers(patch, call[0]);
+  require_in_space(patch, call[0]);
   std::vector<geometry::Matrix> matrices;
   for (const Value& item : as_items(call.evaluator, call.value(1), call[1])) {
     matrices.push_back(as_matrix(call.evaluator, item, call[1]));
     if (matrices.back().rows.size() != 3 || matrices.back().rows[0].size() != 3)
       fail(call[1], "expected matrices of 3 rows and 3 columns");
+    for (const Point& row : matrices.back().rows) require_in_space(row, call[1], "matrices");
   }
   if (matrices.empty()) fail(call[1], "no matrices");
   return {geometry::orbit(patch, matrices, call.evaluator.numbers)};
@@ -118,11 +139,10 @@ Value surface(const Call& call) {
   for (const Value& item : as_items(call.evaluator, call.value(0), call[0])) {
     const auto* patch = item.as<Patch>();
     if (!patch) fail(call[0], "expected patches, found " + description(item));
-    require_numbers(*patch, call[0]);
     patches.push_back(*patch);
   }
   if (patches.empty()) fail(call[0], "no patches");
-  return {geometry::surface(std::move(patches), call.evaluator.numbers)};
+  return {glue(std::move(patches), call[0], call.evaluator.numbers)};
 }
 
 Surface glued(const Call& call) {
@@ -149,7 +169,7 @@ Value seams(const Call& call) {
 Value corners(const Call& call) {
   List list;
   for (const auto& corner : glued(call).corners)
-    list.items.push_back(vector_value(corner.point));
+    list.items.push_back(vector_value(corner.point, call.evaluator.numbers));
   return {list};
 }
 
@@ -164,7 +184,7 @@ Value mesh_of(const Call& call) {
       result.faces.back().push_back(static_cast<int>(k - 1));
     }
   }
-  return {result};
+  return {solid(std::move(result), call[0])};
 }
 
 // V, E, F.

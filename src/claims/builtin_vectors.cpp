@@ -59,10 +59,7 @@ Value norm2(const Call& call) {
 
 Value norm(const Call& call) {
   const Vector a = components(call, 0);
-  const Scalar square = inner(a, a);
-  if (!is_number(square))
-    throw Unsupported("the length of a variable vector is not covered; norm2 is");
-  return {Scalar(call.evaluator.numbers.sqrt(square.numerator))};
+  return like(call, {nth_root(inner(a, a), 2, call.evaluator.numbers)});
 }
 
 // Laplace along the first row: at most 6 x 6.

@@ -61,10 +61,7 @@ Scalar as_scalar(Evaluator& evaluator, const Value& value, const Expression& at)
 }
 
 Formula as_formula(Evaluator& evaluator, const Value& value, const Expression& at) {
-  const Scalar scalar = as_scalar(evaluator, value, at);
-  if (!scalar.is_polynomial())
-    fail(at, "expected a polynomial, found a quotient whose divisor holds a variable");
-  return scalar.numerator;
+  return formula_of(as_scalar(evaluator, value, at));
 }
 
 Formula as_number(Evaluator& evaluator, const Value& value, const Expression& at) {
@@ -134,9 +131,9 @@ geometry::Matrix as_matrix(Evaluator& evaluator, const Value& value, const Expre
   return matrix;
 }
 
-Value vector_value(const symbolic::Point& point) {
+Value vector_value(const symbolic::Point& point, Numbers& numbers) {
   Vector vector;
-  for (const Formula& entry : point) vector.emplace_back(entry);
+  for (const Formula& entry : point) vector.push_back(scalar_of(entry, numbers));
   return {vector};
 }
 

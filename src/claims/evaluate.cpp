@@ -34,8 +34,10 @@ Value vector_or_scalar(Vector components) {
   return {components};
 }
 
-std::vector<Scalar> scalars(const symbolic::Point& point) {
-  return {point.begin(), point.end()};
+std::vector<Scalar> scalars(const symbolic::Point& point, Numbers& numbers) {
+  std::vector<Scalar> result;
+  for (const Formula& entry : point) result.push_back(scalar_of(entry, numbers));
+  return result;
 }
 
 }  // namespace
@@ -204,12 +206,12 @@ Value Evaluator::apply(const Value& callee, const Expression& e, const Scope& sc
 
   if (const auto* patch = callee.as<geometry::Patch>())
     return vector_or_scalar(
-        at_parameters(*this, scalars(geometry::evaluate(*patch, u, v)), coordinates(2)));
+        at_parameters(*this, scalars(geometry::evaluate(*patch, u, v), numbers), coordinates(2)));
   if (const auto* field = callee.as<Field>())
     return vector_or_scalar(at_parameters(*this, field->components, coordinates(2)));
   if (const auto* curve = callee.as<geometry::Curve>())
     return vector_or_scalar(
-        at_parameters(*this, scalars(geometry::evaluate(*curve, u)), coordinates(1)));
+        at_parameters(*this, scalars(geometry::evaluate(*curve, u), numbers), coordinates(1)));
   if (const auto* field = callee.as<CurveField>())
     return vector_or_scalar(at_parameters(*this, field->components, coordinates(1)));
   if (const auto* function = callee.as<Function>()) {

@@ -97,7 +97,6 @@ class Evaluator {
   std::vector<Parameter> parameters;
   std::vector<symbolic::Proposition> sides;  ///< of what is being evaluated
   std::string folder;                        ///< for `read`: the folder of the file
-  bool has_guessed = false;  ///< the field has grown by a number that no text names
 
  private:
   Value name(const Expression&, const Scope&);
@@ -134,8 +133,7 @@ std::optional<Value> builtin_word(Evaluator&, const std::string& name);
 
 // Conversions, with an error at `at` where a value is of another kind.
 Scalar as_scalar(Evaluator&, const Value&, const Expression& at);
-Formula as_formula(Evaluator&, const Value&,
-                   const Expression& at);  ///< no divisor that holds a variable
+Formula as_formula(Evaluator&, const Value&, const Expression& at);
 Formula as_number(Evaluator&, const Value&, const Expression& at);
 long as_integer(Evaluator&, const Value&, const Expression& at);
 Vector as_vector(Evaluator&, const Value&, const Expression& at);
@@ -144,7 +142,7 @@ std::vector<Value> as_items(Evaluator&, const Value&, const Expression& at);
 std::vector<symbolic::Point> as_points(Evaluator&, const Value&, const Expression& at);
 geometry::Matrix as_matrix(Evaluator&, const Value&, const Expression& at);
 
-Value vector_value(const symbolic::Point&);
+Value vector_value(const symbolic::Point&, Numbers&);
 exact::Rational decimal(const std::string& digits);  ///< `0.25`
 
 }  // namespace seam::claims

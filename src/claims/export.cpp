@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "exact/contract.h"
+#include "symbolic/atoms.h"
 
 namespace seam::claims {
 namespace {
@@ -23,6 +24,9 @@ class Exporter {
   explicit Exporter(const Numbers& numbers) : numbers_(numbers) {}
 
   Exported run(const Stated& stated) {
+    gather(stated.goal);
+    for (const Proposition& guard : stated.guards) gather(guard);
+    field_ = &numbers_.field(names_);
     result_.statement.goal = goal(stated.goal);
     for (const Proposition& guard : stated.guards) add_guard(guard);
     // Facts may bring formulas with facts of their own.
@@ -54,6 +58,11 @@ class Exporter {
         result = node(Node::Kind::constant, f.value().get_str(), {}, 0);
         break;
       case Formula::Kind::symbol:
+        if (const auto other = field_->dependent.find(f.name());
+            other != field_->dependent.end()) {
+          result = term(other->second);
+          break;
+        }
         if (symbolic::is_generator(f.name())) used_.insert(f.name());
         result = node(Node::Kind::symbol, f.name(), {}, 0);
         break;
@@ -66,6 +75,11 @@ class Exporter {
       case Formula::Kind::power:
         result = node(Node::Kind::power, {}, std::move(operands), f.exponent());
         break;
+      case Formula::Kind::root:
+        result = function(f, operands[0]);
+        break;
+      case Formula::Kind::inverse:
+        throw exact::ContractError("exported: a quotient that was not cleared");
       case Formula::Kind::known:
         result = term(f.operands()[0]);
         facts_.insert(facts_.end(), f.facts().begin(), f.facts().end());
@@ -73,6 +87,16 @@ class Exporter {
     }
     terms_.emplace(f.identity(), result);
     return result;
+  }
+
+  // The symbol of a root of a function; roots under it have theirs already.
+  Term function(const Formula& f, Term radicand) {
+    const std::size_t before = atoms_.entries().size();
+    atoms_.add(f);
+    const std::string& name = atoms_[f].name;
+    if (atoms_.entries().size() > before)
+      result_.statement.functions.push_back({name, radicand, f.exponent()});
+    return node(Node::Kind::symbol, name, {}, 0);
   }
 
   std::vector<Term> terms(const Point& point) {
@@ -196,8 +220,46 @@ class Exporter {
     add_guard(symbolic::atom(symbolic::Sign{fact.formula, relation, {}}, "what a number is"));
   }
 
+  // The generators that formulas and their facts hold, so that the field of them all is known before
+  // the first term is written.
+  void gather(const Formula& f) {
+    if (!gathered_.insert(f.identity()).second) return;
+    if (f.kind() == Formula::Kind::symbol) names_.insert(f.name());
+    for (const Formula& operand : f.operands()) gather(operand);
+    for (const Fact& fact : f.facts()) gather(fact.formula);
+  }
+  void gather(const symbolic::Domain& domain) {
+    for (const auto& factor : domain.factors) gather(factor);
+    for (const auto& constraint : domain.where) gather(constraint.formula);
+  }
+  void gather(const symbolic::Simplex& simplex) {
+    for (const Point& corner : simplex.corners) gather(corner);
+  }
+  void gather(const Point& point) {
+    for (const Formula& f : point) gather(f);
+  }
+  void gather(const symbolic::Zero& z) { gather(z.formula); }
+  void gather(const symbolic::Sign& s) {
+    gather(s.formula);
+    gather(s.domain);
+  }
+  void gather(const symbolic::Solutions& s) {
+    gather(s.system);
+    gather(s.domain);
+    gather(s.exact);
+  }
+  void gather(const certificate::Gluing&) {}
+  void gather(const symbolic::Distinct& d) {
+    for (const Point& tuple : d.tuples) gather(tuple);
+  }
+  void gather(const Proposition& p) {
+    for (const Proposition& part : p.parts) gather(part);
+    if (p.kind == Proposition::Kind::atom)
+      std::visit([this](const auto& atom) { gather(atom); }, p.atom);
+  }
+
   void add_generators() {
-    const auto& all = numbers_.generators();
+    const auto& all = field_->generators;
     for (auto generator = all.rbegin(); generator != all.rend(); ++generator)
       if (used_.contains(generator->name))
         used_.merge(symbolic::symbols(generator->polynomial));
@@ -233,11 +295,15 @@ class Exporter {
   }
 
   const Numbers& numbers_;
+  const Numbers::Field* field_ = nullptr;
+  std::set<const void*> gathered_;
+  std::set<std::string> names_;
   Exported result_;
   std::map<std::tuple<Node::Kind, std::string, std::vector<Term>, int>, Term> interned_;
   std::unordered_map<const void*, Term> terms_;
   std::vector<Formula> kept_;
   std::vector<Fact> facts_;
+  symbolic::Atoms atoms_;
   std::set<std::string> used_;
   std::map<std::size_t, std::vector<int>> buckets_;
 };

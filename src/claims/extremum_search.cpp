@@ -56,6 +56,14 @@ std::map<std::string, Formula> in_shares(const Extremum::Part& part,
   return result;
 }
 
+// A formula in these variables, over the field of the numbers in `all`.
+Polynomial expanded(const Numbers& numbers, const Formula& all,
+                    const std::vector<std::string>& variables, const Formula& f) {
+  const Numbers::Field& field = numbers.field(all);
+  return symbolic::Expansion(exact::Ring::make(field.ring->tower(), variables), {},
+                             field.values)(f);
+}
+
 bool has_parameter(const Extremum::Part& part) {
   std::set<std::string> open = symbolic::variables(part.value.numerator);
   open.merge(symbolic::variables(part.value.denominator));
@@ -79,9 +87,13 @@ Ground ground(Evaluator& evaluator, const Extremum& extremum, std::size_t index)
   const auto place = in_shares(part, shares);
   if (has_parameter(part))
     throw Unsupported("the value of an extremum that depends on a parameter");
-  symbolic::Expansion expand(exact::Ring::make(evaluator.numbers.tower(), names));
-  Polynomial numerator = expand(symbolic::subst(part.value.numerator, place));
-  Polynomial denominator = expand(symbolic::subst(part.value.denominator, place));
+  const Formula above = symbolic::subst(part.value.numerator, place);
+  const Formula below = symbolic::subst(part.value.denominator, place);
+  symbolic::Atoms atoms;
+  atoms.add(above * below);
+  if (!atoms.entries().empty()) throw Unsupported("the place of an extremum of a root");
+  Polynomial numerator = expanded(evaluator.numbers, above * below, names, above);
+  Polynomial denominator = expanded(evaluator.numbers, above * below, names, below);
   std::vector<double> centre;
   for (const int dimension : dimensions)
     centre.insert(centre.end(), dimension, 1.0 / (dimension + 1));
@@ -118,60 +130,83 @@ std::vector<Found> best_spots(Evaluator& evaluator, const Extremum& extremum) {
   return result;
 }
 
-// The number over the present tower, which may grow.
-std::optional<Polynomial> guessed(Evaluator& evaluator, const Rational& value) {
-  Numbers& numbers = evaluator.numbers;
-  const Rational simple = exact::simplest(value, Rational(1, exact::Integer(1) << 80));
-  RingPtr field = exact::Ring::make(numbers.tower(), {});
-  if (mpz_sizeinbase(simple.get_den_mpz_t(), 2) < 36) return field->constant(simple);
-  if (numbers.tower())
-    if (auto known = exact::recognise(field, value, guess_bits)) return known;
-  const auto f = exact::annihilator(field, value, most_degree, guess_bits);
-  if (!f) return std::nullopt;
-  const auto squarefree = exact::squarefree(*f);
-  for (const exact::RootInterval& root : exact::real_roots(squarefree)) {
-    if (value < root.low || value > root.high) continue;
-    std::vector<Formula> terms;
-    for (int i = 0; i <= exact::degree(*f); ++i)
-      terms.push_back(symbolic::formula((*f)[i]) *
-                      symbolic::power(Formula::symbol("share~"), i));
-    evaluator.has_guessed = true;
-    const Formula number =
-        numbers.root(symbolic::sum(std::move(terms)), "share~", root.low, root.high);
-    symbolic::Expansion expand(exact::Ring::make(numbers.tower(), {}));
-    return expand(number);
+// A place, number by number, in a field that grows by what they need.
+class Guess {
+ public:
+  Guess(Numbers& numbers, const Landscape::Restriction& f)
+      : numbers_(numbers),
+        names_(f.numerator.ring().variables()),
+        numerator_(symbolic::formula(f.numerator)),
+        denominator_(symbolic::formula(f.denominator)) {
+    include(numerator_);
+    include(denominator_);
   }
-  return std::nullopt;
-}
 
-// Over the present tower.
-std::vector<Polynomial> lifted(const Numbers& numbers, const std::vector<Polynomial>& all) {
-  std::vector<Polynomial> result;
-  for (const Polynomial& f : all)
-    result.push_back(exact::Ring::make(numbers.tower(), f.ring().variables())->embed(f));
-  return result;
-}
+  bool add(const Rational& value) {
+    const RingPtr field = numbers_.field(symbols_).ring;
+    const Rational simple = exact::simplest(value, Rational(1, exact::Integer(1) << 80));
+    if (mpz_sizeinbase(simple.get_den_mpz_t(), 2) < 36) {
+      at_.emplace_back(simple);
+      return true;
+    }
+    if (field->tower())
+      if (const auto known = exact::recognise(field, value, guess_bits)) {
+        at_.push_back(symbolic::formula(*known));
+        return true;
+      }
+    const auto f = exact::annihilator(field, value, most_degree, guess_bits);
+    if (!f) return false;
+    for (const exact::RootInterval& root : exact::real_roots(exact::squarefree(*f))) {
+      if (value < root.low || value > root.high) continue;
+      std::vector<Formula> terms;
+      for (int i = 0; i <= exact::degree(*f); ++i)
+        terms.push_back(symbolic::formula((*f)[i]) *
+                        symbolic::power(Formula::symbol("share~"), i));
+      at_.push_back(
+          numbers_.root(symbolic::sum(std::move(terms)), "share~", root.low, root.high));
+      include(at_.back());
+      return true;
+    }
+    return false;
+  }
 
-bool is_critical(const Numbers& numbers, const Landscape::Restriction& f,
-                 const std::vector<Polynomial>& at) {
-  const RingPtr field = exact::Ring::make(numbers.tower(), {});
-  const auto value = [&](const Polynomial& g) {
-    return lifted(numbers, {g})[0].substitute(field, at);
-  };
-  const Polynomial n = value(f.numerator), d = value(f.denominator);
-  for (int i = 0; i < std::ssize(at); ++i)
-    if (!(value(f.numerator.derivative(i)) * d - n * value(f.denominator.derivative(i)))
-             .is_zero())
-      return false;
-  return true;
-}
+  // Whether all derivatives are 0 there.
+  bool is_critical() const {
+    const Numbers::Field& field = numbers_.field(symbols_);
+    symbolic::Expansion function(exact::Ring::make(field.ring->tower(), names_), {},
+                                 field.values);
+    symbolic::Expansion number(field.ring, {}, field.values);
+    std::vector<Polynomial> place;
+    for (const Formula& x : at_) place.push_back(number(x));
+    const Polynomial above = function(numerator_), below = function(denominator_);
+    const auto value = [&](const Polynomial& g) { return g.substitute(field.ring, place); };
+    const Polynomial n = value(above), d = value(below);
+    for (int i = 0; i < std::ssize(at_); ++i)
+      if (!(value(above.derivative(i)) * d - n * value(below.derivative(i))).is_zero())
+        return false;
+    return true;
+  }
+
+  const std::vector<Formula>& at() const { return at_; }
+
+ private:
+  void include(const Formula& f) { symbols_.merge(symbolic::symbols(f)); }
+
+  Numbers& numbers_;
+  std::vector<std::string> names_;
+  Formula numerator_, denominator_;
+  std::set<std::string> symbols_;
+  std::vector<Formula> at_;
+};
 
 Attained attained_at(Evaluator& evaluator, const Ground& ground,
-                     const Landscape::Restriction& f, const std::vector<Polynomial>& at) {
-  const RingPtr field = exact::Ring::make(evaluator.numbers.tower(), {});
+                     const Landscape::Restriction& f, const std::vector<Formula>& at) {
+  std::map<std::string, Formula> coordinates;
+  const auto& names = f.numerator.ring().variables();
+  for (std::size_t i = 0; i < at.size(); ++i) coordinates.emplace(names[i], at[i]);
   std::vector<Formula> shares;
-  for (const Polynomial& x : lifted(evaluator.numbers, f.place))
-    shares.push_back(symbolic::formula(x.substitute(field, at)));
+  for (const Polynomial& x : f.place)
+    shares.push_back(symbolic::subst(symbolic::formula(x), coordinates));
   Attained result{ground.index, in_shares(*ground.part, shares), {}, 0};
   std::map<std::string, Scalar> map;
   for (auto& [name, coordinate] : result.point) {
@@ -184,30 +219,25 @@ Attained attained_at(Evaluator& evaluator, const Ground& ground,
 }
 
 std::optional<Attained> exactly(Evaluator& evaluator, const Found& found) {
-  Numbers& numbers = evaluator.numbers;
   const auto f = found.ground.landscape.on(found.spot.face);
-  const auto here = lifted(numbers, {f.numerator, f.denominator});
-  std::vector<Polynomial> at;
   if (found.spot.is_centre) {
+    std::vector<Formula> at;
     for (const double share : found.spot.at)
-      at.push_back(exact::Ring::make(numbers.tower(), {})
-                       ->constant(Rational(1, std::lround(1 / share))));
+      at.emplace_back(Rational(1, std::lround(1 / share)));
     return attained_at(evaluator, found.ground, f, at);
   }
-  const auto location = bernstein::refined(here[0], here[1], found.spot.at, guess_bits);
+  const auto location =
+      bernstein::refined(f.numerator, f.denominator, found.spot.at, guess_bits);
   if (!location) return std::nullopt;
   try {
-    for (const Rational& share : *location) {
-      const auto number = guessed(evaluator, share);
-      if (!number) return std::nullopt;
-      at.push_back(*number);
-    }
+    Guess guess(evaluator.numbers, f);
+    for (const Rational& share : *location)
+      if (!guess.add(share)) return std::nullopt;
+    if (!guess.is_critical()) return std::nullopt;
+    return attained_at(evaluator, found.ground, f, guess.at());
   } catch (const symbolic::NumberLimit&) {
     return std::nullopt;
   }
-  at = lifted(numbers, at);
-  if (!is_critical(numbers, f, at)) return std::nullopt;
-  return attained_at(evaluator, found.ground, f, at);
 }
 
 bool is_before(const Numbers& numbers, const Extremum& extremum, const Attained& a,
@@ -255,16 +285,16 @@ std::vector<Attained> attained(Evaluator& evaluator, const Extremum& extremum,
 Attained nearly_attained(Evaluator& evaluator, const Extremum& extremum, long bits) {
   const Found found = best_spots(evaluator, extremum).front();
   const auto f = found.ground.landscape.on(found.spot.face);
-  const RingPtr field = exact::Ring::make(f.numerator.ring().tower(), {});
-  std::vector<Polynomial> at;
   std::optional<std::vector<Rational>> location;
   if (!found.spot.is_centre)
     location = bernstein::refined(f.numerator, f.denominator, found.spot.at, bits);
-  for (std::size_t i = 0; i < found.spot.at.size(); ++i)
-    at.push_back(field->constant(location ? (*location)[i]
-                                 : found.spot.is_centre
-                                     ? Rational(1, std::lround(1 / found.spot.at[i]))
-                                     : Rational(found.spot.at[i])));
+  std::vector<Formula> at;
+  for (std::size_t i = 0; i < found.spot.at.size(); ++i) {
+    const double share = found.spot.at[i];
+    at.emplace_back(location               ? (*location)[i]
+                    : found.spot.is_centre ? Rational(1, std::lround(1 / share))
+                                           : Rational(share));
+  }
   return attained_at(evaluator, found.ground, f, at);
 }
 

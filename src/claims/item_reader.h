@@ -12,24 +12,6 @@
 
 namespace seam::claims {
 
-/// Numbers that a search guesses while this lives are taken back at its end.
-class Aside {
- public:
-  explicit Aside(Evaluator& evaluator)
-      : evaluator_(evaluator), mark_(evaluator.numbers.mark()) {
-    evaluator.has_guessed = false;
-  }
-  ~Aside() {
-    if (evaluator_.has_guessed) evaluator_.numbers.restore(*mark_);
-  }
-  Aside(const Aside&) = delete;
-  Aside& operator=(const Aside&) = delete;
-
- private:
-  Evaluator& evaluator_;
-  std::shared_ptr<const Numbers::Mark> mark_;
-};
-
 /// Reads the items of a file, one after the other, into a meaning.
 class Reader {
  public:

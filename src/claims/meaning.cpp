@@ -182,7 +182,6 @@ void Reader::define_param(const Item& item) {
 
 Lowered Reader::lower(const Expression& statement, const Scope& scope) {
   Lowered result;
-  const Aside aside(evaluator_);
   try {
     const Stated stated = state(evaluator_, statement, scope);
     result.exported = exported(stated, *meaning_.numbers);

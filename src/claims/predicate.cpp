@@ -11,30 +11,27 @@
 namespace seam::claims {
 namespace {
 
+using geometry::Criterion;
+using geometry::Curve;
 using geometry::Patch;
 using geometry::Surface;
+
+constexpr int max_order = 8;
 
 struct Arguments {
   Evaluator& evaluator;
   const Expression& at;
+  std::vector<geometry::Sample> samples;
   std::vector<Value> values;
 
   const Expression& place(std::size_t i) const { return at.children[i + 1]; }
+  const Numbers& numbers() const { return evaluator.numbers; }
   const Patch& patch(std::size_t i) const {
     const auto* found = values[i].as<Patch>();
     if (!found) fail(place(i), "expected a patch, found " + description(values[i]));
     if (found->dimension() != 3)
       fail(place(i), "expected a patch in space, with three coordinates");
     return *found;
-  }
-  const Patch& numeric_patch(std::size_t i) const {
-    for (const auto& row : patch(i).rows())
-      for (const auto& point : row)
-        for (const Formula& entry : point)
-          if (!symbolic::is_number(entry))
-            throw Unsupported(
-                "contact of patches whose control points hold variables is not covered yet");
-    return patch(i);
   }
   const Surface& surface(std::size_t i) const {
     const auto* found = values[i].as<Surface>();
@@ -43,39 +40,77 @@ struct Arguments {
            "surface([p, q]) and orbit(p, G) are surfaces");
     return *found;
   }
+  int order(std::size_t i) const {
+    const long order = as_integer(evaluator, values[i], place(i));
+    if (order < 0 || order > max_order)
+      fail(place(i), "expected an order from 0 to " + std::to_string(max_order));
+    return static_cast<int>(order);
+  }
 };
 
-using Predicate = Proposition (*)(const Arguments&);
+using Predicate = Criterion (*)(const Arguments&);
 struct Entry {
   int least, most;
   Predicate state;
 };
 
-Proposition regular(const Arguments& a) {
-  return geometry::regular(a.patch(0));
-}
-Proposition g0(const Arguments& a) {
-  return geometry::g0(a.numeric_patch(0), a.numeric_patch(1), a.evaluator.numbers);
-}
-Proposition g1(const Arguments& a) {
-  if (a.values.size() == 1) return geometry::g1(a.surface(0), a.evaluator.numbers);
-  return geometry::g1(a.numeric_patch(0), a.numeric_patch(1), a.evaluator.numbers);
-}
-Proposition g2(const Arguments& a) {
-  if (a.values.size() == 1) return geometry::g2(a.surface(0), a.evaluator.numbers);
-  return geometry::g2(a.numeric_patch(0), a.numeric_patch(1), a.evaluator.numbers);
-}
-Proposition closed(const Arguments& a) {
-  return geometry::closed(a.surface(0), a.evaluator.numbers);
-}
-Proposition convex(const Arguments& a) {
-  return geometry::convex(a.surface(0), a.evaluator.numbers);
+Criterion regular(const Arguments& a) {
+  return {geometry::regular(a.patch(0))};
 }
 
-Proposition interpolates(const Arguments& a) {
-  const Surface& s = a.values[0].as<Patch>()
-                         ? geometry::surface({a.numeric_patch(0)}, a.evaluator.numbers)
-                         : a.surface(0);
+// Two patches from the first argument on that is one.
+Criterion meeting(const Arguments& a, std::size_t first, const geometry::Condition& condition) {
+  return geometry::along_a_common_side(a.patch(first), a.patch(first + 1), condition,
+                                       a.numbers(), a.samples);
+}
+Criterion g0(const Arguments& a) {
+  return meeting(a, 0, [](const geometry::Contact& c) { return geometry::g0(c); });
+}
+Criterion g1(const Arguments& a) {
+  if (a.values.size() == 1) return {geometry::g1(a.surface(0), a.numbers())};
+  return meeting(a, 0, [](const geometry::Contact& c) { return geometry::g1(c); });
+}
+Criterion g2(const Arguments& a) {
+  if (a.values.size() == 1) return {geometry::g2(a.surface(0), a.numbers())};
+  return meeting(a, 0, [](const geometry::Contact& c) { return geometry::g2(c); });
+}
+
+// Two curves, if the second argument is one.
+std::optional<std::pair<Curve, Curve>> curves(const Arguments& a) {
+  const auto *x = a.values[1].as<Curve>(), *y = a.values[2].as<Curve>();
+  if (!x) return std::nullopt;
+  if (!y) fail(a.place(2), "expected a curve, found " + description(a.values[2]));
+  if (x->control[0].size() != y->control[0].size())
+    fail(a.place(2), "these curves lie in spaces of different dimensions");
+  return std::pair(*x, *y);
+}
+Criterion g_of_order(const Arguments& a) {
+  const int order = a.order(0);
+  if (const auto pair = curves(a))
+    return {geometry::equal_jets(pair->first, pair->second, order)};
+  return meeting(a, 1,
+                 [=](const geometry::Contact& c) { return geometry::equal_jets(c, order); });
+}
+Criterion c_of_order(const Arguments& a) {
+  const int order = a.order(0);
+  if (const auto pair = curves(a))
+    return {geometry::equal_derivatives(pair->first, pair->second, order)};
+  if (a.patch(1).shape() != a.patch(2).shape())
+    fail(a.place(2), "equal derivatives are for two triangle patches or two quad patches");
+  return meeting(
+      a, 1, [=](const geometry::Contact& c) { return geometry::equal_derivatives(c, order); });
+}
+
+Criterion closed(const Arguments& a) {
+  return {geometry::closed(a.surface(0), a.numbers())};
+}
+Criterion convex(const Arguments& a) {
+  return {geometry::convex(a.surface(0), a.numbers())};
+}
+
+Criterion interpolates(const Arguments& a) {
+  const auto* patch = a.values[0].as<Patch>();
+  const Surface s = patch ? glue({a.patch(0)}, a.place(0), a.numbers()) : a.surface(0);
   auto points = a.values[1].as<geometry::Mesh>()
                     ? a.values[1].as<geometry::Mesh>()->vertices
                     : as_points(a.evaluator, a.values[1], a.place(1));
@@ -85,14 +120,14 @@ Proposition interpolates(const Arguments& a) {
     for (const Formula& entry : point)
       if (!symbolic::is_number(entry))
         throw Unsupported("interpolation of points that hold variables");
-  return geometry::interpolates(s, points, a.evaluator.numbers);
+  return {geometry::interpolates(s, points, a.numbers())};
 }
 
-Proposition planar(const Arguments& a) {
+Criterion planar(const Arguments& a) {
   const auto points = as_points(a.evaluator, a.values[0], a.place(0));
   if (points.empty() || points[0].size() != 3)
     fail(a.place(0), "expected points with three coordinates");
-  return geometry::planar(points);
+  return {geometry::planar(points)};
 }
 // The search looks for patches carried to patches with their parameters; that it finds nothing
 // refutes nothing, for the same point set may have other parameters.
@@ -100,13 +135,13 @@ void require_similar(const Arguments& a) {
   if (!geometry::find_similarity(a.surface(0), a.surface(1), a.evaluator.numbers))
     throw Unsupported("no similarity was found that carries patches to patches");
 }
-Proposition similar(const Arguments& a) {
+Criterion similar(const Arguments& a) {
   require_similar(a);
-  return geometry::similar(a.surface(0), a.surface(1), a.evaluator.numbers);
+  return {geometry::similar(a.surface(0), a.surface(1), a.evaluator.numbers)};
 }
-Proposition congruent(const Arguments& a) {
+Criterion congruent(const Arguments& a) {
   require_similar(a);
-  return geometry::congruent(a.surface(0), a.surface(1), a.evaluator.numbers);
+  return {geometry::congruent(a.surface(0), a.surface(1), a.evaluator.numbers)};
 }
 
 const std::map<std::string, Entry>& table() {
@@ -114,6 +149,8 @@ const std::map<std::string, Entry>& table() {
                                                    {"G0", {2, 2, g0}},
                                                    {"G1", {1, 2, g1}},
                                                    {"G2", {1, 2, g2}},
+                                                   {"G", {3, 3, g_of_order}},
+                                                   {"C", {3, 3, c_of_order}},
                                                    {"closed", {1, 1, closed}},
                                                    {"convex", {1, 1, convex}},
                                                    {"interpolates", {2, 2, interpolates}},
@@ -125,55 +162,53 @@ const std::map<std::string, Entry>& table() {
 
 const std::set<std::string>& later() {
   static const std::set<std::string> names = {
-      "G",     "C",           "pregeodesic",        "developable",
-      "ruled", "cylindrical", "partition_of_unity", "nonnegative"};
+      "pregeodesic",        "developable", "ruled",  "cylindrical",
+      "partition_of_unity", "nonnegative"};
   return names;
 }
 
-// A predicate on patches with parameters of the file, or of a quantifier around, holds for all
-// their values: their sets join the domain of every inequality. (An identity says so anyway.)
-Proposition under(Proposition p, const Context& context,
-                  const std::vector<Parameter>& parameters) {
-  for (Proposition& part : p.parts) part = under(std::move(part), context, parameters);
-  if (p.kind != Proposition::Kind::atom) return p;
-  auto* sign = std::get_if<symbolic::Sign>(&p.atom);
-  if (!sign) return p;
-  std::set<std::string> open = symbolic::variables(sign->formula);
-  for (const auto& factor : sign->domain.factors)
-    for (const std::string& v : factor.variables) open.erase(v);
-  const auto join = [&](const symbolic::Simplex& factor) {
-    if (std::ranges::none_of(factor.variables, [&](const auto& v) { return open.contains(v); }))
-      return;
-    sign->domain.factors.push_back(factor);
-    for (const std::string& v : factor.variables) open.erase(v);
-  };
-  for (const auto& factor : context.factors) join(factor);
-  for (const Parameter& parameter : parameters)
-    if (parameter.set) join(*parameter.set);
-  if (!open.empty()) throw Unsupported("a predicate for all values of an unbounded parameter");
-  return p;
+// The variables of an atom that it does not range over itself.
+std::set<std::string> open_variables(const Proposition& atom) {
+  std::set<std::string> open;
+  if (const auto* zero = std::get_if<symbolic::Zero>(&atom.atom))
+    open = symbolic::variables(zero->formula);
+  if (const auto* sign = std::get_if<symbolic::Sign>(&atom.atom)) {
+    open = symbolic::variables(sign->formula);
+    for (const auto& factor : sign->domain.factors)
+      for (const std::string& v : factor.variables) open.erase(v);
+  }
+  open.erase(geometry::parameter_u);
+  open.erase(geometry::parameter_v);
+  return open;
 }
 
 bool mentions_variables(const Proposition& p) {
-  if (p.kind == Proposition::Kind::atom) {
-    const auto* sign = std::get_if<symbolic::Sign>(&p.atom);
-    const auto* zero = std::get_if<symbolic::Zero>(&p.atom);
-    std::set<std::string> open = sign   ? symbolic::variables(sign->formula)
-                                 : zero ? symbolic::variables(zero->formula)
-                                        : std::set<std::string>{};
-    if (sign)
-      for (const auto& factor : sign->domain.factors)
-        for (const std::string& v : factor.variables) open.erase(v);
-    open.erase(geometry::parameter_u);
-    open.erase(geometry::parameter_v);
-    return !open.empty();
-  }
+  if (p.kind == Proposition::Kind::atom) return !open_variables(p).empty();
   return std::ranges::any_of(p.parts, mentions_variables);
 }
 
 bool is_plain_conjunction(const Proposition& p) {
   if (p.kind == Proposition::Kind::atom) return true;
   return p.kind == Proposition::Kind::all && std::ranges::all_of(p.parts, is_plain_conjunction);
+}
+
+// That no identity holds for all values of the variables.
+bool are_identities(const std::vector<Proposition>& parts) {
+  return std::ranges::all_of(parts, [](const Proposition& part) {
+    return part.kind == Proposition::Kind::atom &&
+           std::holds_alternative<symbolic::Zero>(part.atom);
+  });
+}
+
+// What has to hold where its failure would not refute the predicate: then the claim is
+// undecided.
+void collect_guards(const Proposition& p, Criterion::Failure failure,
+                    std::vector<Proposition>& guards) {
+  if (failure == Criterion::Failure::refutes) return;
+  for (const Proposition& part : p.parts) collect_guards(part, failure, guards);
+  if (p.kind == Proposition::Kind::atom && (failure == Criterion::Failure::says_nothing ||
+                                            !std::holds_alternative<symbolic::Zero>(p.atom)))
+    guards.push_back(p);
 }
 
 }  // namespace
@@ -220,7 +255,9 @@ Proposition Stating::called(const Expression& e, const Scope& scope, const Conte
     fail(callee, "unknown predicate '" + name + "'",
          near.empty() ? "" : "did you mean '" + near + "'?");
   }
-  Arguments arguments{evaluator, e, {}};
+  Arguments arguments{evaluator, e, {}, {}};
+  for (const long weight : {1, 3, 8})
+    arguments.samples.push_back(sample(context, evaluator, weight));
   if (static_cast<int>(given) < entry->second.least ||
       static_cast<int>(given) > entry->second.most)
     fail(e, "'" + name + "' takes " + std::to_string(entry->second.least) +
@@ -232,12 +269,20 @@ Proposition Stating::called(const Expression& e, const Scope& scope, const Conte
   for (std::size_t i = 0; i < given; ++i)
     arguments.values.push_back(evaluator.evaluate(e.children[i + 1], scope));
   predicates.insert(name);
-  Proposition p = entry->second.state(arguments);
   if (!context.where.empty()) throw Unsupported("a predicate under a condition");
+  auto [p, failure] = entry->second.state(arguments);
   const bool open = mentions_variables(p);
-  if (open && (!positive || !is_plain_conjunction(p)))
-    throw Unsupported("this predicate for all values of a parameter");
-  p = under(std::move(p), context, evaluator.parameters);
+  const bool refuted_for_all = p.kind == Proposition::Kind::any && are_identities(p.parts) &&
+                               failure == Criterion::Failure::refutes;
+  if (open && (!positive || (!is_plain_conjunction(p) && !refuted_for_all)))
+    throw Unsupported(
+        "this predicate for all values of a parameter: it is negated, or not along one pair of "
+        "sides that is one curve for all of them");
+  std::vector<Proposition> necessary;
+  collect_guards(p, failure, necessary);
+  for (Proposition& guard : necessary)
+    guards.push_back(settled(std::move(guard), context, e));
+  p = settled(std::move(p), context, e);
   return positive ? p : symbolic::negation(std::move(p));
 }
 

@@ -83,7 +83,6 @@ void Reader::enclose(MeantAsk& ask, const Extremum& extremum, int digits) {
 
 MeantAsk Reader::question(const std::string& id, const Expression& expression, int digits) {
   MeantAsk result{id, expression, {}, {}, {}, {}};
-  const Aside aside(evaluator_);
   evaluator_.sides.clear();
   std::optional<Value> value;
   try {

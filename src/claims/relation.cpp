@@ -3,43 +3,15 @@
 
 #include "claims/stating.h"
 
-// A comparison of quotients a/b and c/d becomes one of polynomials: (a d - c b) * sign(b d)
-// with 0. The sign of a divisor is read off at one point of the context and stated as a guard
-// for all of it, so that nothing rests on the reading. Under constraints the context may fall
-// apart into pieces with different signs; there no sign is assumed, and b d is
-// multiplied in.
+// Comparisons of values of all kinds: entry by entry, point by point, for all points of a patch;
+// with an extremum, at all or at some points of its domain.
 
 namespace seam::claims {
 namespace {
 
 using exact::Rational;
 using symbolic::Constraint;
-using symbolic::Simplex;
 using Kind = Expression::Kind;
-
-Relation relation_of(const std::string& operation) {
-  if (operation == "=") return Relation::zero;
-  if (operation == "!=") return Relation::nonzero;
-  if (operation == "<") return Relation::negative;
-  if (operation == "<=") return Relation::nonpositive;
-  if (operation == ">") return Relation::positive;
-  return Relation::nonnegative;
-}
-
-Relation flipped(Relation relation) {
-  switch (relation) {
-    case Relation::positive:
-      return Relation::negative;
-    case Relation::nonnegative:
-      return Relation::nonpositive;
-    case Relation::nonpositive:
-      return Relation::nonnegative;
-    case Relation::negative:
-      return Relation::positive;
-    default:
-      return relation;
-  }
-}
 
 std::vector<std::string> operations(const Expression& e) {
   std::vector<std::string> result;
@@ -52,11 +24,6 @@ std::vector<std::string> operations(const Expression& e) {
   return result;
 }
 
-bool touches(const Simplex& factor, const std::set<std::string>& variables) {
-  return std::ranges::any_of(factor.variables,
-                             [&](const auto& v) { return variables.contains(v); });
-}
-
 }  // namespace
 
 std::string negated_operation(const std::string& operation) {
@@ -66,125 +33,6 @@ std::string negated_operation(const std::string& operation) {
   if (operation == "<=") return ">";
   if (operation == ">") return "<=";
   return "<";
-}
-
-Proposition Stating::holds(const Formula& f, Relation relation, const Context& context,
-                           const Expression& at, const std::string& about) {
-  for (const Constraint& constraint : context.where)
-    if (symbolic::variables(constraint.formula).empty())
-      throw Unsupported("a condition without variables");
-  std::set<std::string> open = symbolic::variables(f);
-  for (const Constraint& constraint : context.where)
-    open.merge(symbolic::variables(constraint.formula));
-  if (open.empty() && context.where.empty()) {
-    if (relation == Relation::zero) return symbolic::atom(symbolic::Zero{f}, about);
-    return symbolic::atom(symbolic::Sign{f, relation, {}}, about);
-  }
-
-  symbolic::Domain domain;
-  domain.where = context.where;
-  std::vector<std::string> lines;
-  std::set<std::string> bound;
-  const auto use_factor = [&](const Simplex& factor) {
-    for (const std::string& v : factor.variables)
-      if (bound.contains(v) && symbolic::variables(f).contains(v))
-        throw Unsupported("a variable that is bound twice");
-    if (!touches(factor, open)) return;
-    bound.insert(factor.variables.begin(), factor.variables.end());
-    domain.factors.push_back(factor);
-    for (const std::string& v : factor.variables) open.erase(v);
-  };
-  for (const Simplex& factor : context.factors) use_factor(factor);
-  for (const std::string& line : context.lines)
-    if (open.erase(line)) lines.push_back(line);
-  for (const Parameter& parameter : evaluator.parameters) {
-    if (bound.contains(parameter.name)) continue;  // the context has it
-    if (parameter.set)
-      use_factor(*parameter.set);
-    else if (open.erase(parameter.name))
-      lines.push_back(parameter.name);
-  }
-  if (!open.empty())
-    fail(at, "the variable '" + *open.begin() + "' is not bound here",
-         "say 'for all " + *open.begin() + ":' or where it ranges");
-
-  if (relation == Relation::zero && domain.where.empty())
-    return symbolic::atom(symbolic::Zero{f}, about);
-  if (lines.size() > 4)
-    throw Unsupported("an inequality for all values of more than four reals");
-  std::vector<symbolic::Domain> domains = {domain};
-  for (const std::string& line : lines) {
-    std::vector<symbolic::Domain> halves;
-    for (const symbolic::Domain& d : domains) {
-      halves.push_back(d);
-      halves.back().factors.push_back(symbolic::whole_line_left(line, 0, false));
-      halves.push_back(d);
-      halves.back().factors.push_back(symbolic::whole_line_right(line, 0, false));
-    }
-    domains = std::move(halves);
-  }
-  std::vector<Proposition> parts;
-  for (symbolic::Domain& d : domains)
-    parts.push_back(symbolic::atom(symbolic::Sign{f, relation, std::move(d)}, about));
-  return parts.size() == 1 ? parts.front() : symbolic::all(std::move(parts), about);
-}
-
-// The sign at some point inside the context; nothing where it is 0 at all points tried.
-std::optional<exact::Sign> Stating::sample_sign(const Formula& f, const Context& context) {
-  for (const long weight : {1, 2, 3, 5, 8}) {
-    std::map<std::string, Formula> point;
-    const auto place = [&](const Simplex& factor) {
-      Formula total = 0;
-      symbolic::Point sum(factor.variables.size(), Formula(0));
-      for (std::size_t c = 0; c < factor.corners.size(); ++c) {
-        const Formula share(c == 0 ? weight : 1);
-        total += share * factor.corners[c][0];
-        for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += share * factor.corners[c][i + 1];
-      }
-      const Formula inverse = evaluator.numbers.inverse(total);
-      for (std::size_t i = 0; i < sum.size(); ++i)
-        point[factor.variables[i]] = evaluator.numbers.normal_form(sum[i] * inverse);
-    };
-    for (const Parameter& parameter : evaluator.parameters) {
-      if (parameter.set)
-        place(*parameter.set);
-      else
-        point[parameter.name] = Formula(weight);
-    }
-    for (const Simplex& factor : context.factors) place(factor);
-    for (const std::string& line : context.lines) point[line] = Formula(weight);
-    const Formula value = symbolic::subst(f, point);
-    if (!symbolic::is_number(value)) return std::nullopt;
-    const exact::Sign sign = evaluator.numbers.sign(value);
-    if (sign != exact::Sign::zero) return sign;
-  }
-  return std::nullopt;
-}
-
-void Stating::guard_divisors(const Scalar& value, const Context& context,
-                             const Expression& at) {
-  for (const Formula& divisor : value.divisors) {
-    const auto sign = context.where.empty() ? sample_sign(divisor, context) : std::nullopt;
-    const Relation relation = !sign                            ? Relation::nonzero
-                              : *sign == exact::Sign::positive ? Relation::positive
-                                                               : Relation::negative;
-    guards.push_back(holds(divisor, relation, context, at, "the divisor is not 0"));
-  }
-}
-
-Constraint Stating::compared(const Scalar& a, const std::string& operation, const Scalar& b,
-                             const Context& context, const Expression& at) {
-  guard_divisors(a, context, at);
-  guard_divisors(b, context, at);
-  const Scalar difference = a - b;
-  const Relation relation = relation_of(operation);
-  if (difference.denominator.is(1) || relation == Relation::zero ||
-      relation == Relation::nonzero)
-    return {difference.numerator, relation};
-  const auto sign =
-      context.where.empty() ? sample_sign(difference.denominator, context) : std::nullopt;
-  if (!sign) return {difference.numerator * difference.denominator, relation};
-  return {difference.numerator, *sign == exact::Sign::positive ? relation : flipped(relation)};
 }
 
 Proposition Stating::entries(const Expression& at, const std::vector<Value>& a,
@@ -204,10 +52,10 @@ Proposition Stating::entries(const Expression& at, const std::vector<Value>& a,
 
 namespace {
 
-std::vector<Value> points_of(const geometry::Patch& patch) {
+std::vector<Value> points_of(const geometry::Patch& patch, Numbers& numbers) {
   std::vector<Value> points;
   for (const auto& row : patch.rows())
-    for (const auto& point : row) points.push_back(vector_value(point));
+    for (const auto& point : row) points.push_back(vector_value(point, numbers));
   return points;
 }
 
@@ -258,12 +106,20 @@ Proposition Stating::compare(const Expression& at, const Value& a, const std::st
   }
   if (a.as<Scalar>() && b.as<Scalar>()) {
     const std::string op = positive ? operation : negated_operation(operation);
+    // |E| <= b says that E <= b and -E <= b.
+    const auto inside = inside_absolute(*a.as<Scalar>());
+    if (inside && (op == "<" || op == "<="))
+      return symbolic::all({compare(at, {*inside}, op, b, context, true),
+                            compare(at, {-*inside}, op, b, context, true)});
+    if (inside_absolute(*b.as<Scalar>()) && (op == ">" || op == ">="))
+      return compare(at, b, op == ">" ? "<" : "<=", a, context, true);
     const Constraint c = compared(*a.as<Scalar>(), op, *b.as<Scalar>(), context, at);
     return holds(c.formula, c.relation, context, at);
   }
   const auto *p = a.as<geometry::Patch>(), *q = b.as<geometry::Patch>();
   if (p && q) {
-    const auto points = points_of(*p), others = points_of(*q);
+    const auto points = points_of(*p, evaluator.numbers),
+               others = points_of(*q, evaluator.numbers);
     if (!same_shape(*p, *q)) {
       if (operation != "=" && operation != "!=")
         fail(at, "'" + operation + "' compares numbers only");
@@ -274,8 +130,8 @@ Proposition Stating::compare(const Expression& at, const Value& a, const std::st
   const auto *c = a.as<geometry::Curve>(), *d = b.as<geometry::Curve>();
   if (c && d) {
     const Formula u = Formula::symbol(geometry::parameter_u);
-    return compare(at, vector_value(geometry::evaluate(*c, u)), operation,
-                   vector_value(geometry::evaluate(*d, u)),
+    return compare(at, vector_value(geometry::evaluate(*c, u), evaluator.numbers), operation,
+                   vector_value(geometry::evaluate(*d, u), evaluator.numbers),
                    Context{context.factors,
                            [&] {
                              auto l = context.lines;

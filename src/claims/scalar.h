@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,20 +14,23 @@ namespace seam::claims {
 using symbolic::Formula;
 using symbolic::Numbers;
 
-/// A real number or function as a quotient of formulas. It has a value only where none of
-/// `divisors` is 0: everything that was ever divided by on the way and holds a
-/// variable, even where it cancels or is multiplied by 0. Quotients of numbers are
-/// worked out at once (`Numbers::inverse`), so they leave no divisor.
+/// A real number or function as a quotient of formulas without inverses. It has a value only
+/// where none of `divisors` is 0 and none of `radicands` is negative: everything that was ever
+/// divided by, or taken an even root of, on the way and holds a variable, even where it cancels or
+/// is multiplied by 0. Quotients and roots of numbers are worked out at once (`Numbers`), so
+/// they leave neither.
 struct Scalar {
   Formula numerator = 0;
   Formula denominator = 1;
-  std::vector<Formula> divisors;
+  std::vector<Formula> divisors, radicands;
 
   Scalar() = default;
   Scalar(long value) : numerator(value) {}
+  /// Requires a formula that is a polynomial as it stands; else see `scalar_of`.
   Scalar(Formula formula) : numerator(std::move(formula)) {}
 
-  bool is_polynomial() const { return denominator.is(1) && divisors.empty(); }
+  /// A polynomial that has a value everywhere.
+  bool is_polynomial() const;
 };
 
 /// A quotient by 0 was asked for.
@@ -42,9 +46,19 @@ Scalar operator*(const Scalar&, const Scalar&);
 Scalar divide(const Scalar& a, const Scalar& b, Numbers&);
 /// Any integer exponent of at most 1000 in size; throws `NumberError` beyond.
 Scalar power(const Scalar& base, long exponent, Numbers&);
+/// The root >= 0 (of a number and odd n: the real one). n >= 2, even for a function.
+Scalar nth_root(const Scalar& radicand, int n, Numbers&);
+/// |x|; of a function, the root of its square.
+Scalar absolute(const Scalar& x, Numbers&);
+/// E, if x is |E| as `absolute` writes it.
+std::optional<Scalar> inside_absolute(const Scalar& x);
 
-/// Symbols replaced by quotients, in numerator, denominator and divisors.
+/// Symbols replaced by quotients, in numerator, denominator, divisors and radicands.
 Scalar substitute(const Scalar&, const std::map<std::string, Scalar>&, Numbers&);
+
+/// Any formula as a quotient without inverses, and the formula of a quotient.
+Scalar scalar_of(const Formula&, Numbers&);
+Formula formula_of(const Scalar&);
 
 bool is_number(const Scalar&);
 

@@ -129,8 +129,11 @@ Stated state(Evaluator& evaluator, const Expression& statement, const Scope& sco
       context = parameters_in(evaluator, stating, result.goal);
       if (!context.empty()) continue;
     }
+    std::vector<Proposition> sides;
+    for (const Proposition& side : evaluator.sides)
+      sides.push_back(stating.settled(side, context, statement));
     result.guards = std::move(stating.guards);
-    result.guards.insert(result.guards.end(), evaluator.sides.begin(), evaluator.sides.end());
+    result.guards.insert(result.guards.end(), sides.begin(), sides.end());
     result.predicates = std::move(stating.predicates);
     evaluator.sides.clear();
     return result;

@@ -23,6 +23,10 @@ struct Context {
   bool empty() const { return factors.empty() && lines.empty() && where.empty(); }
 };
 
+/// A point inside the context and the sets of the parameters of the file; another one for
+/// another weight > 0.
+std::map<std::string, Formula> sample(const Context&, Evaluator&, long weight);
+
 class Stating {
  public:
   explicit Stating(Evaluator& e) : evaluator(e) {}
@@ -30,7 +34,7 @@ class Stating {
   /// The statement, or with `positive` false its negation, for all points of the context.
   Proposition state(const Expression&, const Scope&, const Context&, bool positive = true);
 
-  // relation.cpp
+  // relation.cpp, comparison.cpp
   Proposition relation(const Expression&, const Scope&, const Context&, bool positive);
   Proposition approximation(const Expression&, const Value& left, const Expression& printed,
                             bool truncated, const Context&, bool positive);
@@ -38,12 +42,21 @@ class Stating {
   /// to it.
   Proposition holds(const Formula&, Relation, const Context&, const Expression& at,
                     const std::string& about = {});
+  /// States as guards what a value rests on: divisors that are not 0, radicands not negative.
+  void guard(const Scalar&, const Context&, const Expression& at);
   /// `a operation b` as `formula relation 0`, with guards for the divisors.
+  symbolic::Constraint related(const Scalar& difference, Relation, const Context&,
+                               const Expression& at);
   symbolic::Constraint compared(const Scalar& a, const std::string& operation, const Scalar& b,
                                 const Context&, const Expression& at);
   /// A statement as a conjunction of constraints, if it is one.
   std::optional<std::vector<symbolic::Constraint>> constraints(const Expression&, const Scope&,
                                                                const Context&, bool positive);
+
+  // settle.cpp
+  /// A proposition about a patch or a point, whose formulas may hold quotients, roots and variables
+  /// of the context, as one for all of the context, with guards for what its formulas rest on.
+  Proposition settled(Proposition, const Context&, const Expression& at);
 
   // quantifier.cpp
   Proposition quantified(const Expression&, const Scope&, const Context&, bool positive);
@@ -85,8 +98,11 @@ class Stating {
   Proposition entries(const Expression&, const std::vector<Value>& a,
                       const std::vector<Value>& b, const std::string& operation, const Context&,
                       bool positive);
-  std::optional<exact::Sign> sample_sign(const Formula&, const Context&);
-  void guard_divisors(const Scalar&, const Context&, const Expression& at);
+  std::optional<exact::Sign> likely_sign(const Formula&, const Context&);
+  /// That it is not 0, with the sign it seems to have, which is returned.
+  std::optional<exact::Sign> guard_divisor(const Formula&, const Context&, const Expression& at);
+  std::optional<exact::Sign> guard_denominator(const Formula&, const Context&,
+                                               const Expression& at);
 };
 
 /// The numbers that a printed decimal is a correct rounding of: half a unit of its last digit

@@ -42,10 +42,6 @@ void run(std::vector<Task>& tasks, const claims::Meaning& meaning, const VerifyO
   std::mutex numbers;
   const NormalForm normal_form = [&](const symbolic::Formula& f) {
     const std::lock_guard lock(numbers);
-    const auto& known = meaning.numbers->generators();
-    for (const std::string& symbol : symbolic::symbols(f))
-      if (std::ranges::none_of(known, [&](const auto& g) { return g.name == symbol; }))
-        return f;
     return meaning.numbers->normal_form(f);
   };
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
+#include <string>
 #include <vector>
 
+#include "geometry/side_contact.h"
 #include "geometry/similarity.h"
 #include "geometry/surface.h"
 #include "symbolic/proposition.h"
@@ -10,6 +13,7 @@
 // Predicates on patches and surfaces in space as propositions about formulas. Each says exactly
 // what the table "Predicates" of docs/language.md says; nothing is decided here. Search chooses
 // what is stated (which sides, which tuples), and what is stated is enough for what is meant.
+// The conditions on two patches along a side are in side_contact.h.
 namespace seam::geometry {
 
 using symbolic::Proposition;
@@ -17,12 +21,30 @@ using symbolic::Proposition;
 /// The normal vanishes nowhere on the closed domain.
 Proposition regular(const Patch&);
 
+/// A proposition that is enough for a predicate on patches whose control points may hold
+/// variables: if it holds, the predicate holds for all their values.
+struct Criterion {
+  enum class Failure {
+    refutes,                ///< the predicate does not hold for all values
+    refutes_by_identities,  ///< so if an identity fails; of an inequality it says nothing
+    says_nothing
+  };
+  Proposition proposition;
+  Failure failure = Failure::refutes;
+};
+
 /// One full side of p is one full side of q (which one, and in which direction, is found with
-/// `Numbers`; the equality is stated, so that it is proven). No such pair: a proposition that
-/// fails, with a witness for each pair of sides.
-Proposition g0(const Patch& p, const Patch& q, const Numbers&);
-Proposition g1(const Patch& p, const Patch& q, const Numbers&);
-Proposition g2(const Patch& p, const Patch& q, const Numbers&);
+/// `Numbers`), and there the condition holds, which says that they are equal. No such pair: a
+/// proposition that fails, with a witness for each pair of sides. The samples are values that
+/// the variables may have; where the predicate fails at one, every failure refutes it.
+using Sample = std::map<std::string, Formula>;
+Criterion along_a_common_side(const Patch& p, const Patch& q, const Condition&, const Numbers&,
+                              const std::vector<Sample>& = {});
+
+/// x ends where y begins, and there is a reparametrisation, with a derivative > 0, with which
+/// their derivatives to this order are equal; and: they are so as they are. Of one dimension.
+Proposition equal_jets(const Curve& x, const Curve& y, int order);
+Proposition equal_derivatives(const Curve& x, const Curve& y, int order);
 
 /// Every seam; and at every interior corner the patches wind round the normal exactly once.
 /// Several patches that do not hang together through seams fail: smoothness is never claimed

@@ -5,8 +5,8 @@
 
 namespace seam::geometry {
 
-Point reflect(const Point& x, const Point& n, const Formula& d, Numbers& numbers) {
-  const Formula steps = 2 * (dot(n, x) - d) * numbers.inverse(norm2(n));
+Point reflect(const Point& x, const Point& n, const Formula& d, const Formula& share) {
+  const Formula steps = 2 * (dot(n, x) - d) * share;
   return x - steps * n;
 }
 

@@ -33,6 +33,7 @@ bool is_zero(const Formula& x, const Numbers& numbers) {
 
 // A rational number rests on nothing.
 Formula normal_form(const Formula& x, const Numbers& numbers) {
+  if (!is_number(x)) return x;
   Formula value = numbers.normal_form(x);
   if (value.is_constant()) return value;
   std::vector<Fact> facts;

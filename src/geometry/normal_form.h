@@ -15,7 +15,7 @@ bool equal(const Point& a, const Point& b, const Numbers&);
 bool is_zero(const Formula&, const Numbers&);
 
 /// The same number as a short formula, which still rests on all facts that the longer one rests
-/// on.
+/// on. What holds variables stays as it is.
 Formula normal_form(const Formula&, const Numbers&);
 Point normal_form(const Point&, const Numbers&);
 

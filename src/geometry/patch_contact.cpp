@@ -1,85 +1,127 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <map>
-#include <set>
+#include <algorithm>
+#include <array>
 
 #include "geometry/contact.h"
 #include "geometry/side_contact.h"
+#include "geometry/side_pairs.h"
+#include "symbolic/coefficients.h"
 
-// The sides that agree are found with the parameters of the patches set to fixed rationals:
-// sides that agree identically do so there. A pair that agrees there by chance is one
-// alternative too many, and fails.
+// The predicate is about all values at once. Proven along a pair that is always one curve, it
+// holds. That its failure refutes has to be said of the other pairs:
+//
+//   None of them is ever one curve: at every value the predicate is the condition stated.
+//
+//   The coordinates are polynomials, and no other pair is always one curve. An identity that
+//   fails is a polynomial f other than 0; so is the sum g_i of the squared differences of each
+//   other pair, hence the product of f and all g_i, which is therefore not 0 at some values
+//   inside any box: there no other pair is one curve, and the condition fails. An inequality
+//   may fail at single values only, and there another pair might do: it refutes nothing. With
+//   no pair that is always one curve, the product of the g_i says that there are values at
+//   which no pair is one.
+//
+//   At a sample the predicate fails: at the pairs that are one curve there, the condition has
+//   an identity that does not hold or an inequality that is wrong at 0, 1/2 or 1.
+//
+//   Else nothing is known.
 
 namespace seam::geometry {
 namespace {
 
-using symbolic::Sign;
+bool holds_polynomials(const Patch& p) {
+  const auto is_polynomial_point = [](const Point& point) {
+    return std::ranges::all_of(point, &Formula::is_polynomial);
+  };
+  return std::ranges::all_of(p.rows(), [&](const std::vector<Point>& row) {
+    return std::ranges::all_of(row, is_polynomial_point);
+  });
+}
 
-Patch with_numbers(const Patch& p, const std::map<std::string, Formula>& values) {
+Patch at(const Sample& sample, const Patch& p) {
   return map(p, [&](const Point& point) {
     Point result;
-    for (const Formula& x : point) result.push_back(subst(x, values));
+    for (const Formula& x : point) result.push_back(subst(x, sample));
     return result;
   });
 }
 
-std::map<std::string, Formula> chosen_values(const std::vector<Patch>& patches) {
-  std::set<std::string> names;
-  for (const Patch& p : patches)
-    for (const auto& row : p.rows())
-      for (const Point& point : row)
-        for (const Formula& x : point) names.merge(variables(x));
-  std::map<std::string, Formula> result;
-  long k = 0;
-  for (const std::string& name : names) {
-    exact::Rational value(101 + 17 * k, 211 + 29 * k);
-    value.canonicalize();
-    result.emplace(name, Formula(value));
-    ++k;
-  }
-  return result;
+bool is_in(exact::Sign sign, symbolic::Relation relation) {
+  using symbolic::Relation;
+  if (sign == exact::Sign::zero)
+    return relation == Relation::zero || relation == Relation::nonnegative ||
+           relation == Relation::nonpositive;
+  if (relation == Relation::nonzero) return true;
+  return sign == exact::Sign::positive
+             ? relation == Relation::positive || relation == Relation::nonnegative
+             : relation == Relation::negative || relation == Relation::nonpositive;
 }
 
-using Condition = Proposition (*)(const Contact&);
+// Of a condition on patches of numbers, along a side.
+bool surely_fails(const Proposition& p, const Numbers& numbers) {
+  if (p.kind == Proposition::Kind::all)
+    return std::ranges::any_of(
+        p.parts, [&](const Proposition& part) { return surely_fails(part, numbers); });
+  if (p.kind != Proposition::Kind::atom) return false;
+  if (const auto* zero = std::get_if<symbolic::Zero>(&p.atom))
+    return !symbolic::vanishes(zero->formula, numbers);
+  const auto* sign = std::get_if<symbolic::Sign>(&p.atom);
+  const std::array<Formula, 3> places{0, Formula(exact::Rational(1, 2)), 1};
+  return sign && std::ranges::any_of(places, [&](const Formula& u) {
+           const Formula value = subst(sign->formula, {{parameter_u, u}});
+           return is_number(value) && !is_in(numbers.sign(value), sign->relation);
+         });
+}
 
-Proposition along_a_common_side(const Patch& p, const Patch& q, Condition condition,
-                                const Numbers& numbers) {
-  const std::vector<Patch> patches{p, q};
-  const auto values = chosen_values(patches);
-  std::vector<Proposition> alternatives;
-  for (const Seam& seam : seams({with_numbers(p, values), with_numbers(q, values)}, numbers))
-    if (seam.patch != seam.other_patch) {
-      Proposition alternative = condition(contact(patches, seam));
-      alternative.about = name({seam.patch, seam.side}) + ", " +
-                          name({seam.other_patch, seam.other_side}) +
-                          (seam.reversed ? " reversed" : "");
-      alternatives.push_back(std::move(alternative));
-    }
-  if (alternatives.size() == 1) return alternatives.front();
-  if (!alternatives.empty()) return any(std::move(alternatives));
+bool fails_at(const Sample& sample, const std::vector<Patch>& patches,
+              const Condition& condition, const Numbers& numbers) {
+  const std::vector<Patch> here{at(sample, patches[0]), at(sample, patches[1])};
+  return std::ranges::all_of(
+      side_pairs(here[0], here[1], numbers).always,
+      [&](const Seam& seam) { return surely_fails(condition(contact(here, seam)), numbers); });
+}
 
-  const std::vector<SideIndex> sides = all_sides(patches);
-  return some_side_agrees(patches, {sides.begin(), sides.begin() + p.sides()},
-                          {sides.begin() + p.sides(), sides.end()});
+Criterion::Failure meaning_of_failure(const SidePairs& found, const std::vector<Patch>& patches,
+                                      const Condition& condition, const Numbers& numbers,
+                                      const std::vector<Sample>& samples) {
+  if (!found.sometimes) return Criterion::Failure::refutes;
+  if (!holds_polynomials(patches[0]) || !holds_polynomials(patches[1]))
+    return Criterion::Failure::says_nothing;
+  if (found.always.empty() || std::ranges::any_of(samples, [&](const Sample& sample) {
+        return fails_at(sample, patches, condition, numbers);
+      }))
+    return Criterion::Failure::refutes;
+  return Criterion::Failure::refutes_by_identities;
 }
 
 }  // namespace
 
+Criterion along_a_common_side(const Patch& p, const Patch& q, const Condition& condition,
+                              const Numbers& numbers, const std::vector<Sample>& samples) {
+  const std::vector<Patch> patches{p, q};
+  const SidePairs found = side_pairs(p, q, numbers);
+  const auto failure = meaning_of_failure(found, patches, condition, numbers, samples);
+  std::vector<Proposition> alternatives;
+  for (const Seam& seam : found.always) {
+    Proposition alternative = condition(contact(patches, seam));
+    alternative.about = name({seam.patch, seam.side}) + ", " +
+                        name({seam.other_patch, seam.other_side}) +
+                        (seam.reversed ? " reversed" : "");
+    alternatives.push_back(std::move(alternative));
+  }
+  if (alternatives.size() == 1) return {alternatives.front(), failure};
+  if (!alternatives.empty()) return {any(std::move(alternatives)), failure};
+
+  const std::vector<SideIndex> sides = all_sides(patches);
+  return {some_side_agrees(patches, {sides.begin(), sides.begin() + p.sides()},
+                           {sides.begin() + p.sides(), sides.end()}),
+          failure};
+}
+
 Proposition regular(const Patch& p) {
   const Point n = normal(p, Formula::symbol(parameter_u), Formula::symbol(parameter_v));
-  return atom(Sign{norm2(n), symbolic::Relation::positive, domain(p, parameter_u, parameter_v)},
+  return atom(symbolic::Sign{norm2(n), symbolic::Relation::positive,
+                             domain(p, parameter_u, parameter_v)},
               "the normal is nowhere 0");
-}
-
-Proposition g0(const Patch& p, const Patch& q, const Numbers& numbers) {
-  return along_a_common_side(p, q, g0, numbers);
-}
-
-Proposition g1(const Patch& p, const Patch& q, const Numbers& numbers) {
-  return along_a_common_side(p, q, g1, numbers);
-}
-
-Proposition g2(const Patch& p, const Patch& q, const Numbers& numbers) {
-  return along_a_common_side(p, q, g2, numbers);
 }
 
 }  // namespace seam::geometry

@@ -40,11 +40,6 @@ using symbolic::Relation;
 using symbolic::Sign;
 using symbolic::Zero;
 
-// d^(i+j) p / du^i dv^j along the side.
-Point along_side(const Patch& p, int i, int j) {
-  return evaluate(edge(derivative(p, i, j), 1), Formula::symbol(parameter_u));
-}
-
 Proposition vanishes(const Formula& f, std::string about) {
   return atom(Zero{f}, std::move(about));
 }
@@ -77,6 +72,10 @@ Point difference(const Contact& c) {
 }
 
 }  // namespace
+
+Point along_side(const Patch& p, int i, int j) {
+  return evaluate(edge(derivative(p, i, j), 1), Formula::symbol(parameter_u));
+}
 
 Contact contact(const std::vector<Patch>& patches, const Seam& seam) {
   return {along(patches.at(seam.patch), seam.side, false),

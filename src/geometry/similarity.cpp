@@ -144,7 +144,7 @@ Proposition vanishes(const Point& vector, const std::string& about) {
 Proposition stated(const Found& found, const Pair& pair) {
   const auto& [scale, m, shift] = found.similarity;
   std::vector<Proposition> parts{
-      atom(Sign{scale, Relation::positive, {}}, "the scale is positive"),
+      atom(Sign{scale, Relation::positive, {}}, text(found.similarity) + ", of positive scale"),
       vanishes(scale * (m * pair.s.centre) + shift - pair.t.centre, "centre to centre")};
   const Matrix product = transpose(m) * m, unit = identity(3);
   for (int row = 0; row < 3; ++row)
@@ -154,7 +154,7 @@ Proposition stated(const Found& found, const Pair& pair) {
       for (std::size_t i = 0; i < patch.rows()[j].size(); ++i)
         parts.push_back(vanishes(scale * (m * patch.rows()[j][i]) - image.rows()[j][i],
                                  "every patch is carried to a patch"));
-  return all(std::move(parts), text(found.similarity));
+  return all(std::move(parts));
 }
 
 // Without a similarity and without a moment that disagrees, the search alone speaks.

@@ -38,7 +38,7 @@ bool lies_in(Workshop& workshop, const Question& question, const Place& place) {
       if (!place[k][i].is_zero()) support |= 1U << i;
     if (is_outside(question.factors[k], support)) return false;
   }
-  return std::ranges::all_of(question.where, [&](const Question::Condition& c) {
+  return std::ranges::all_of(question.where, [&](const Condition& c) {
     return holds(c.relation, sign_at(workshop, question.factors, c.formula, place));
   });
 }
@@ -59,12 +59,12 @@ Answer neither(std::string reason, std::string detail) {
 }
 
 // "Yes" because f = root^2 * cofactor with cofactor >= 0; nothing if that does not come out.
-std::optional<Answer> by_square(Workshop& workshop, const Question& question) {
+std::optional<Answer> by_square(Workshop& workshop, const Question& question, long effort) {
   const auto split = exact::square_factor(question.f);
   if (!split) return std::nullopt;
   Question rest = question;
   rest.f = split->cofactor;
-  Answer answer = decide(workshop, std::move(rest));
+  Answer answer = decide(workshop, std::move(rest), effort);
   if (answer.kind != Answer::Kind::yes || answer.pieces.square >= 0) return std::nullopt;
   answer.pieces.square = workshop.write(split->root);
   answer.pieces.cofactor = workshop.write(split->cofactor);
@@ -74,7 +74,10 @@ std::optional<Answer> by_square(Workshop& workshop, const Question& question) {
 }  // namespace
 
 Answer decide(Workshop& workshop, Question question) {
-  const long effort = workshop.budget().effort;
+  return decide(workshop, std::move(question), workshop.budget().effort);
+}
+
+Answer decide(Workshop& workshop, Question question, long effort) {
   std::vector<Place> touches;
   Subdivision search(workshop, question, {});
   bool may_be_square = !question.strict;
@@ -92,7 +95,7 @@ Answer decide(Workshop& workshop, Question question) {
                                    std::to_string(search.looked_at()) + " pieces");
       case Subdivision::Outcome::hopeless:
         if (may_be_square)
-          if (auto answer = by_square(workshop, question)) return *answer;
+          if (auto answer = by_square(workshop, question, effort)) return *answer;
         return neither(
             "degenerate",
             "the formula touches 0 at a corner of a product of domains, where its "
@@ -102,7 +105,8 @@ Answer decide(Workshop& workshop, Question question) {
     }
     const Barycentric f = in_barycentric(question.factors, question.f);
     bool is_new = false;
-    for (const Touch& touch : find_touches(workshop, question.factors, f, search.worst(8))) {
+    const auto near = question.may_touch ? search.worst(8) : std::vector<const Piece*>();
+    for (const Touch& touch : find_touches(workshop, question.factors, f, near)) {
       lift(workshop, question);
       if (touch.sign != Sign::positive && (touch.sign == Sign::negative || question.strict) &&
           lies_in(workshop, question, touch.place))
@@ -129,7 +133,7 @@ Answer decide(Workshop& workshop, Question question) {
       continue;
     }
     if (std::exchange(may_be_square, false))
-      if (auto answer = by_square(workshop, question)) return *answer;
+      if (auto answer = by_square(workshop, question, effort)) return *answer;
     if (burst >= effort)
       return neither("effort",
                      "undecided after " + std::to_string(search.looked_at()) + " pieces");

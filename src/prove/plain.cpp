@@ -41,16 +41,22 @@ bool lies_in(const bernstein::Shape& shape, int index, const std::vector<Corners
   return true;
 }
 
-bool vanishes(const Form& form, const std::vector<Corners>& face) {
-  for (int i = 0; i < form.shape().count(); ++i)
-    if (lies_in(form.shape(), i, face) && form.sign(i) != Sign::zero) return false;
-  return true;
+bool is_broken_inside(const Form& form, Relation relation, const std::vector<Corners>& face) {
+  bool above = false, below = false;
+  for (int i = 0; i < form.shape().count() && !(above && below); ++i) {
+    if (!lies_in(form.shape(), i, face)) continue;
+    const Sign s = form.sign(i);
+    above = above || s == Sign::positive;
+    below = below || s == Sign::negative;
+  }
+  if (above && below) return false;
+  return !holds(relation, above ? Sign::positive : below ? Sign::negative : Sign::zero);
 }
 
 }  // namespace
 
 bool is_plain(const Factors& factors, const Piece& piece, const Form& form, int side,
-              bool strict, const std::vector<const Form*>& not_zero) {
+              bool strict, const std::vector<Condition>& where) {
   const auto against = side > 0 ? Form::Guess::negative : Form::Guess::positive;
   const auto wanted = side > 0 ? Sign::positive : Sign::negative;
   const int count = form.shape().count();
@@ -68,7 +74,7 @@ bool is_plain(const Factors& factors, const Piece& piece, const Form& form, int 
 
   std::vector<Faces> faces;
   for (std::size_t k = 0; k < factors.size(); ++k) {
-    faces.push_back(faces_inside(factors[k], piece.corners[k], !not_zero.empty()));
+    faces.push_back(faces_inside(factors[k], piece.corners[k], !where.empty()));
     if (faces.back().empty()) return true;  // no point of the piece is in the domain
   }
   std::vector<std::size_t> choice(faces.size(), 0);
@@ -77,9 +83,10 @@ bool is_plain(const Factors& factors, const Piece& piece, const Form& form, int 
     for (std::size_t k = 0; k < faces.size(); ++k) face.push_back(faces[k][choice[k]]);
     const bool is_met =
         std::ranges::any_of(right, [&](int i) { return lies_in(form.shape(), i, face); });
-    if (!is_met &&
-        std::ranges::none_of(not_zero, [&](const Form* g) { return vanishes(*g, face); }))
-      return false;
+    bool is_excluded = is_met;
+    for (std::size_t i = 0; !is_excluded && i < where.size(); ++i)
+      is_excluded = is_broken_inside(piece.where[i], where[i].relation, face);
+    if (!is_excluded) return false;
     std::size_t k = 0;
     while (k < choice.size() && ++choice[k] == faces[k].size()) choice[k++] = 0;
     if (k == choice.size()) return true;

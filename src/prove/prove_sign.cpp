@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "prove/derive.h"
 #include "prove/sign.h"
 #include "prove/strategies.h"
 
@@ -20,14 +21,40 @@ class SignProof {
   SignProof(Workshop& workshop, const certificate::Sign& sign) : workshop_(workshop) {
     for (const auto& simplex : sign.domain.factors)
       factors_.push_back(make_factor(workshop, simplex));
-    names_ = variables(factors_);
     term_ = sign.formula;
     where_ = sign.domain.where;
+    std::vector<certificate::Term> terms = {term_};
+    for (const auto& condition : where_) terms.push_back(condition.formula);
+    functions_ = workshop.functions(terms);
+    names_ = variables(factors_);
+    for (const auto* function : functions_) names_.push_back(function->name);
   }
 
   Polynomial f() { return workshop_.expand(term_, names_); }
 
   Proof prove(Relation relation) {
+    const bool has_equation =
+        std::ranges::any_of(where_, [](const auto& c) { return c.relation == Relation::zero; });
+    if (!has_equation && functions_.empty()) return by_subdivision(relation);
+    Proof proof = by_derivation(relation);
+    const bool is_open = std::holds_alternative<Nothing>(proof);
+    return is_open && functions_.empty() ? by_subdivision(relation) : proof;
+  }
+
+ private:
+  Proof by_derivation(Relation relation) {
+    const auto of = [](auto&& value) { return Proof(std::forward<decltype(value)>(value)); };
+    Derivation derivation(workshop_, make_region(workshop_, factors_, where_, functions_));
+    if (auto point = derivation.refute(f(), relation)) return certificate::Witness{*point, {}};
+    if (auto shown = derivation.show(f(), relation)) return std::visit(of, std::move(*shown));
+    if (auto point = derivation.refute(f(), relation)) return certificate::Witness{*point, {}};
+    if (workshop_.late()) return Nothing{"time", "the time given was over"};
+    return Nothing{"effort",
+                   "neither a proof by multipliers, cases and subdivision nor a "
+                   "point was found"};
+  }
+
+  Proof by_subdivision(Relation relation) {
     switch (relation) {
       case Relation::positive:
         return by_question(1, true);
@@ -45,7 +72,6 @@ class SignProof {
     return Nothing{"unsupported", "no such relation"};
   }
 
- private:
   Question question(Polynomial f, bool strict) {
     Question result{factors_, std::move(f), strict, {}};
     for (const auto& condition : where_)
@@ -106,6 +132,7 @@ class SignProof {
 
   Workshop& workshop_;
   Factors factors_;
+  std::vector<const certificate::Function*> functions_;
   std::vector<std::string> names_;
   certificate::Term term_ = 0;
   std::vector<certificate::Constraint> where_;

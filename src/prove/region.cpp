@@ -33,6 +33,29 @@ std::vector<std::string> variables(const Factors& factors) {
   return result;
 }
 
+Region make_region(Workshop& workshop, Factors given,
+                   const std::vector<certificate::Constraint>& where,
+                   const std::vector<const certificate::Function*>& functions) {
+  Region region{std::move(given), {}, functions};
+  const Polynomial nil = workshop.numbers()->constant(0), one = workshop.numbers()->constant(1);
+  for (const auto* function : functions)
+    region.factors.push_back({{function->name}, {{one, nil}, {nil, one}}, {false, false}, 2U});
+  const auto names = variables(region.factors);
+  for (const auto& [formula, relation] : where)
+    region.where.push_back({workshop.expand(formula, names), relation});
+  for (const auto* function : functions) {
+    const Polynomial root = *workshop.ring(names)->symbol(function->name);
+    region.where.push_back(
+        {root.pow(function->degree) - workshop.expand(function->radicand, names),
+         certificate::Relation::zero});
+  }
+  return region;
+}
+
+exact::RingPtr ring(const Workshop& workshop, const Region& region) {
+  return workshop.ring(variables(region.factors));
+}
+
 bool is_outside(const Factor& factor, Corners support) {
   if ((support & ~factor.infinite) == 0) return true;
   for (std::size_t i = 0; i < factor.open.size(); ++i)

@@ -25,6 +25,25 @@ using Factors = std::vector<Factor>;
 Factor make_factor(Workshop&, const certificate::Simplex&);
 std::vector<std::string> variables(const Factors&);
 
+/// `formula relation 0`.
+struct Condition {
+  exact::Polynomial formula;
+  certificate::Relation relation;
+};
+
+/// A domain cut by conditions, with a further coordinate for each function of an obligation: a
+/// factor [0, infinity) each, after those given; the condition that it is the root, after those
+/// given, not reduced; then whatever is supposed in a case.
+struct Region {
+  Factors factors;
+  std::vector<Condition> where;
+  std::vector<const certificate::Function*> functions;
+};
+Region make_region(Workshop&, Factors given, const std::vector<certificate::Constraint>& where,
+                   const std::vector<const certificate::Function*>&);
+/// Of the variables and functions, in their order: those of the polynomials.
+exact::RingPtr ring(const Workshop&, const Region&);
+
 /// Whether a point of the simplex with exactly these barycentric coordinates positive is left
 /// out: all at infinity, or on an open facet.
 bool is_outside(const Factor&, Corners support);

@@ -17,6 +17,8 @@ struct Answer {
   certificate::Nothing nothing;          ///< neither
 };
 
+/// With so many pieces at most; those of the budget if not said.
+Answer decide(Workshop&, Question, long effort);
 Answer decide(Workshop&, Question);
 
 /// A place as a point of the product.

@@ -129,10 +129,7 @@ Subdivision::Outcome Subdivision::run(long pieces) {
 
 bool Subdivision::settle(const Piece& piece) {
   const Factors& factors = question_->factors;
-  std::vector<const Form*> not_zero;
-  for (std::size_t i = 0; i < piece.where.size(); ++i)
-    if (!holds(question_->where[i].relation, Sign::zero)) not_zero.push_back(&piece.where[i]);
-  if (is_plain(factors, piece, piece.f, 1, question_->strict, not_zero)) return true;
+  if (is_plain(factors, piece, piece.f, 1, question_->strict, question_->where)) return true;
   for (std::size_t i = 0; i < piece.where.size(); ++i)
     if (is_broken(factors, piece, piece.where[i], question_->where[i].relation)) {
       tree_[piece.node].kind = Step::Kind::outside;

@@ -16,11 +16,8 @@ struct Question {
   Factors factors;
   exact::Polynomial f;
   bool strict = true;
-  struct Condition {
-    exact::Polynomial formula;
-    certificate::Relation relation;
-  };
   std::vector<Condition> where;
+  bool may_touch = true;  ///< it is worth while to look for zeros of f
 };
 
 /// Barycentric coordinates in each factor, the scale of each free.

@@ -2,6 +2,7 @@
 #include "prove/workshop.h"
 
 #include <algorithm>
+#include <ranges>
 
 #include "exact/contract.h"
 
@@ -60,9 +61,57 @@ RingPtr Workshop::ring(const std::vector<std::string>& variables) const {
   return ring;
 }
 
+std::vector<const certificate::Function*> Workshop::functions(
+    const std::vector<Term>& terms) const {
+  std::set<std::string> symbols;
+  for (const Term term : terms) symbols.insert(symbols_[term].begin(), symbols_[term].end());
+  std::vector<const certificate::Function*> result;
+  for (const auto& function : statement_->functions | std::views::reverse) {
+    if (!symbols.contains(function.name)) continue;
+    symbols.insert(symbols_[function.radicand].begin(), symbols_[function.radicand].end());
+    result.insert(result.begin(), &function);
+  }
+  return result;
+}
+
 std::set<std::string> Workshop::variables(Term term) const {
-  std::set<std::string> result;
-  std::ranges::set_difference(symbols_[term], generators_, std::inserter(result, result.end()));
+  std::set<std::string> result = symbols_[term];
+  const auto held = functions({term});
+  for (const auto* function : held)
+    result.insert(symbols_[function->radicand].begin(), symbols_[function->radicand].end());
+  for (const auto* function : held) result.erase(function->name);
+  std::erase_if(result, [this](const std::string& name) { return generators_.contains(name); });
+  return result;
+}
+
+// From the last function on: a radicand brings in earlier ones alone.
+Polynomial Workshop::reduced(Polynomial p) {
+  const auto names = p.ring().variables();
+  for (const auto& function : statement_->functions | std::views::reverse) {
+    const auto place =
+        static_cast<int>(std::ranges::find(names, function.name) - names.begin());
+    if (place == std::ssize(names) || p.degree(place) < function.degree) continue;
+    const Polynomial radicand = expand(function.radicand, names);
+    const Polynomial symbol = p.ring().variable(place);
+    Polynomial sum = p.ring().constant(0), power = p.ring().constant(1);
+    int reached = 0;
+    for (const auto& [exponents, coefficient] : p.coefficients({place})) {
+      const int e = exponents.front();
+      for (; reached < e / function.degree; ++reached) power = reduced(power * radicand);
+      sum = sum + coefficient * power * symbol.pow(e % function.degree);
+    }
+    p = sum;
+  }
+  return p;
+}
+
+Polynomial Workshop::power(const Polynomial& base, int exponent) {
+  if (statement_->functions.empty()) return base.pow(exponent);
+  Polynomial result = base.ring().constant(1), square = base;
+  for (; exponent > 0; exponent /= 2) {
+    if (exponent % 2 == 1) result = reduced(result * square);
+    if (exponent > 1) square = reduced(square * square);
+  }
   return result;
 }
 
@@ -94,10 +143,10 @@ Polynomial Workshop::expand(Term term, const std::vector<std::string>& variables
         for (const Term operand : node.operands) value = value + done.at(operand);
         break;
       case Node::Kind::product:
-        for (const Term operand : node.operands) value = value * done.at(operand);
+        for (const Term operand : node.operands) value = reduced(value * done.at(operand));
         break;
       case Node::Kind::power:
-        value = done.at(node.operands[0]).pow(node.exponent);
+        value = power(done.at(node.operands[0]), node.exponent);
         break;
     }
     done.emplace(i, value);

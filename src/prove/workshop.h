@@ -36,11 +36,19 @@ class Workshop {
   /// Over the present tower.
   exact::RingPtr ring(const std::vector<std::string>& variables) const;
 
-  /// The variables of a term, generators left out.
+  /// The functions that stand in these terms, and in the radicands of such, in their order.
+  std::vector<const certificate::Function*> functions(
+      const std::vector<certificate::Term>&) const;
+  /// The variables of a term, and of the radicands of its functions.
   std::set<std::string> variables(certificate::Term) const;
-  /// A term as an element of the ring in these variables; they hold all of the term's.
+  /// A term as an element of the ring in these variables and functions; they hold all of the
+  /// term's. In normal form, as `reduced` makes it.
   exact::Polynomial expand(certificate::Term, const std::vector<std::string>& variables);
   exact::Polynomial number(certificate::Term term) { return expand(term, {}); }
+
+  /// No function in the degree of its root or above. The ring is one over the present tower.
+  exact::Polynomial reduced(exact::Polynomial);
+  exact::Polynomial power(const exact::Polynomial&, int exponent);
 
   /// The root as a number over the present tower, which grows by it if need be. The polynomial
   /// is squarefree.

@@ -24,8 +24,19 @@ const std::vector<GlossaryEntry> entries = {
      "$G^1$, and equal second fundamental forms at every point of the edge. Of a surface: so "
      "at "
      "every seam."},
-    {"G", "A reparametrisation with equal $k$-jets exists along the edge."},
-    {"C", "Equal derivatives to order $k$ along the edge."},
+    {"G",
+     "$G(k,p,q)$: $G^1$ (for $k = 0$: $G^0$), and with some reparametrisation of the second "
+     "patch "
+     "all derivatives to order $k$ are equal along the common edge. Of two curves: so where "
+     "the "
+     "first ends and the second begins, both regular there."},
+    {"C",
+     "$C(k,p,q)$: one full edge of the first patch is one full edge of the second, and all "
+     "derivatives to order $k$ are equal along it, with the domains side by side: two squares, "
+     "or "
+     "two triangles that make a parallelogram. Of two curves: where the first ends and the "
+     "second "
+     "begins."},
     {"closed",
      "Every edge of every patch lies on exactly one seam, and the surface is connected."},
     {"convex",

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "exact/polynomial.h"
+#include "symbolic/denominator.h"
 #include "symbolic/expand.h"
 
 namespace seam::symbolic {
@@ -15,11 +16,29 @@ Coefficients coefficients(const Formula& f, const std::vector<std::string>& chos
   for (std::size_t i = 0; i < chosen.size(); ++i) indices.push_back(static_cast<int>(i));
   for (const std::string& name : variables(f))
     if (std::ranges::find(chosen, name) == chosen.end()) ring_variables.push_back(name);
-  Expansion expansion(exact::Ring::make(numbers.tower(), ring_variables));
+  Atoms atoms;
+  atoms.add(f);
+  std::map<std::string, Formula> written;
+  for (const Atoms::Entry& entry : atoms.entries()) {
+    const auto inside = variables(entry.formula);
+    for (const std::string& name : chosen)
+      if (inside.contains(name))
+        throw FormulaLimit("what stands under a root or below a fraction bar is no polynomial in '" +
+                           name + "'");
+    ring_variables.push_back(entry.name);
+    written.emplace(entry.name, entry.formula);
+  }
+  const Numbers::Field& field = numbers.field(f);
+  Expansion expansion(exact::Ring::make(field.ring->tower(), ring_variables), atoms,
+                      field.values);
   Coefficients result;
   for (const auto& [exponents, coefficient] : expansion(f).coefficients(indices))
-    result.emplace(exponents, formula(coefficient));
+    result.emplace(exponents, subst(formula(coefficient), written));
   return result;
+}
+
+bool vanishes(const Formula& f, const Numbers& numbers) {
+  return coefficients(cleared(f).numerator, {}, numbers).empty();
 }
 
 }  // namespace seam::symbolic

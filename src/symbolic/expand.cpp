@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "symbolic/expand.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "exact/contract.h"
@@ -11,6 +12,46 @@ using exact::Integer;
 using exact::Polynomial;
 using exact::Rational;
 using exact::require;
+
+Expansion::Expansion(exact::RingPtr ring, Atoms atoms,
+                     std::map<std::string, Polynomial> values)
+    : ring_(std::move(ring)), atoms_(std::move(atoms)), values_(std::move(values)) {
+  for (const Atoms::Entry& entry : atoms_.entries()) {
+    if (entry.formula.kind() != Formula::Kind::root) continue;
+    const auto& names = ring_->variables();
+    const auto place = std::ranges::find(names, entry.name);
+    require(place != names.end(), "Expansion: a root that the ring does not have");
+    rules_.push_back({static_cast<int>(place - names.begin()), entry.formula.exponent(),
+                      (*this)(entry.formula.operands()[0])});
+  }
+}
+
+// From the last root to the first: what comes in for a root holds only roots before it.
+Polynomial Expansion::reduced(Polynomial p) const {
+  for (auto rule = rules_.rbegin(); rule != rules_.rend(); ++rule) {
+    if (p.degree(rule->variable) < rule->index) continue;
+    Polynomial result = ring_->constant(0);
+    for (const auto& [exponents, coefficient] : p.coefficients({rule->variable})) {
+      const int low = exponents[0] % rule->index, high = exponents[0] / rule->index;
+      result = result + coefficient * ring_->variable(rule->variable).pow(low) *
+                            rule->radicand.pow(high);
+    }
+    p = std::move(result);
+  }
+  return p;
+}
+
+Polynomial Expansion::power(const Polynomial& base, int exponent) const {
+  const bool holds_root = std::ranges::any_of(
+      rules_, [&](const Rule& rule) { return base.degree(rule.variable) > 0; });
+  if (!holds_root) return base.pow(exponent);
+  Polynomial result = ring_->constant(1), square = base;
+  for (int rest = exponent; rest > 0; rest /= 2) {
+    if (rest % 2 == 1) result = reduced(result * square);
+    if (rest > 1) square = reduced(square * square);
+  }
+  return result;
+}
 
 Polynomial Expansion::operator()(const Formula& formula) {
   if (const auto known = done_.find(formula.identity()); known != done_.end())
@@ -25,6 +66,8 @@ Polynomial Expansion::compute(const Formula& formula) {
     case Formula::Kind::constant:
       return ring_->constant(formula.value());
     case Formula::Kind::symbol: {
+      if (const auto number = values_.find(formula.name()); number != values_.end())
+        return ring_->embed(number->second);
       const auto symbol = ring_->symbol(formula.name());
       require(symbol.has_value(), "Expansion: a symbol that the ring does not have");
       return *symbol;
@@ -36,13 +79,16 @@ Polynomial Expansion::compute(const Formula& formula) {
     }
     case Formula::Kind::product: {
       Polynomial result = ring_->constant(1);
-      for (const Formula& factor : formula.operands()) result = result * (*this)(factor);
+      for (const Formula& factor : formula.operands()) result = reduced(result * (*this)(factor));
       return result;
     }
     case Formula::Kind::power:
-      return (*this)(formula.operands()[0]).pow(formula.exponent());
+      return power((*this)(formula.operands()[0]), formula.exponent());
     case Formula::Kind::known:
       return (*this)(formula.operands()[0]);
+    case Formula::Kind::root:
+    case Formula::Kind::inverse:
+      return *ring_->symbol(atoms_[formula].name);
   }
   throw exact::ContractError("Expansion: no such kind of formula");
 }
@@ -55,7 +101,7 @@ Formula formula(const Polynomial& polynomial) {
   for (auto term = terms.rbegin(); term != terms.rend(); ++term) {
     std::vector<Formula> monomial;
     for (std::size_t i = 0; i < variables.size(); ++i)
-      monomial.push_back(power(Formula::symbol(variables[i]), term->first[i]));
+      monomial.push_back(symbolic::power(Formula::symbol(variables[i]), term->first[i]));
     for (std::size_t index = 0; index < term->second.size(); ++index) {
       Rational coefficient(term->second[index], denominator);
       if (coefficient == 0) continue;
@@ -66,7 +112,7 @@ Formula formula(const Polynomial& polynomial) {
         const int exponent = static_cast<int>(rest % generator->degree());
         rest /= generator->degree();
         for (int k = 0; k < exponent; ++k) coefficient *= generator->scale();
-        factors.push_back(power(Formula::symbol(generator->symbol()), exponent));
+        factors.push_back(symbolic::power(Formula::symbol(generator->symbol()), exponent));
       }
       factors.insert(factors.end(), monomial.begin(), monomial.end());
       factors.insert(factors.begin(), Formula(coefficient));

@@ -7,9 +7,9 @@
 #include "exact/contract.h"
 
 // Only constants are folded, and only those foldings are made that hold for every
-// value of the symbols: 0 + x, 1 * x, 0 * x (formulas are polynomials: nothing in them
-// can be undefined), x^0, x^1. Facts of a known value that is folded away are
-// lost on purpose where the value no longer matters (0 * x).
+// value of the symbols at which the formula has one: 0 + x, 1 * x, 0 * x, x^0, x^1. Facts
+// of a known value that is folded away are lost on purpose where the value no longer
+// matters (0 * x).
 //
 // Every walk is memoised by node, so it costs a step a node of the shared tree; depth is
 // bounded when a node is built, so no walk overflows the stack.
@@ -28,6 +28,7 @@ struct Formula::Node {
   std::vector<Fact> facts;
   std::size_t hash = 0;
   int depth = 0;
+  bool polynomial = true;
 };
 
 namespace {
@@ -66,17 +67,33 @@ Formula Formula::symbol(std::string name) {
   return Formula(std::move(node));
 }
 
-Formula Formula::known(Formula value, std::vector<Fact> facts) {
+// A node over others: hash, depth and kind of content follow from theirs.
+std::shared_ptr<Formula::Node> Formula::node(Kind kind, std::vector<Formula> operands,
+                                             int exponent) {
   auto node = std::make_shared<Node>();
-  node->kind = Kind::known;
-  node->hash = mix(3, value.node_->hash);
-  node->depth = value.node_->depth + 1;
-  for (const Fact& fact : facts)
-    node->depth = std::max(node->depth, fact.formula.node_->depth + 1);
+  node->kind = kind;
+  node->exponent = exponent;
+  node->polynomial = kind != Kind::inverse && kind != Kind::root;
+  node->hash = mix(static_cast<std::size_t>(kind) + 3, exponent);
+  for (const Formula& operand : operands) {
+    node->hash = mix(node->hash, operand.node_->hash);
+    node->depth = std::max(node->depth, operand.node_->depth + 1);
+    node->polynomial = node->polynomial && operand.node_->polynomial;
+  }
   if (node->depth > max_depth) throw FormulaLimit("a formula is nested too deeply");
-  node->operands.push_back(std::move(value));
-  node->facts = std::move(facts);
-  return Formula(std::move(node));
+  node->operands = std::move(operands);
+  return node;
+}
+
+Formula Formula::known(Formula value, std::vector<Fact> facts) {
+  auto result = node(Kind::known, {std::move(value)});
+  for (const Fact& fact : facts) {
+    result->depth = std::max(result->depth, fact.formula.node_->depth + 1);
+    result->polynomial = result->polynomial && is_number(fact.formula);
+  }
+  if (result->depth > max_depth) throw FormulaLimit("a formula is nested too deeply");
+  result->facts = std::move(facts);
+  return Formula(std::move(result));
 }
 
 Formula::Kind Formula::kind() const {
@@ -100,6 +117,9 @@ const std::vector<Fact>& Formula::facts() const {
   return node_->facts;
 }
 
+bool Formula::is_polynomial() const {
+  return node_->polynomial;
+}
 bool Formula::is(long value) const {
   return is_constant() && node_->value == value;
 }
@@ -112,11 +132,6 @@ bool Formula::same(const Formula& other) const {
     return false;
   return std::ranges::equal(a.operands, b.operands,
                             [](const Formula& x, const Formula& y) { return x.same(y); });
-}
-
-// The sum or product of what is left after the constants are folded into one.
-static Formula::Kind kind_of(bool is_sum) {
-  return is_sum ? Formula::Kind::sum : Formula::Kind::product;
 }
 
 Formula sum(std::vector<Formula> terms) {
@@ -133,16 +148,7 @@ Formula sum(std::vector<Formula> terms) {
   if (rest.empty()) return Formula(constant);
   if (constant != 0) rest.push_back(Formula(constant));
   if (rest.size() == 1) return rest.front();
-  auto node = std::make_shared<Formula::Node>();
-  node->kind = kind_of(true);
-  node->hash = 5;
-  for (const Formula& term : rest) {
-    node->hash = mix(node->hash, term.node_->hash);
-    node->depth = std::max(node->depth, term.node_->depth + 1);
-  }
-  if (node->depth > max_depth) throw FormulaLimit("a formula is nested too deeply");
-  node->operands = std::move(rest);
-  return Formula(std::move(node));
+  return Formula(Formula::node(Formula::Kind::sum, std::move(rest)));
 }
 
 Formula product(std::vector<Formula> factors) {
@@ -160,16 +166,7 @@ Formula product(std::vector<Formula> factors) {
   if (rest.empty()) return Formula(constant);
   if (constant != 1) rest.insert(rest.begin(), Formula(constant));
   if (rest.size() == 1) return rest.front();
-  auto node = std::make_shared<Formula::Node>();
-  node->kind = kind_of(false);
-  node->hash = 7;
-  for (const Formula& factor : rest) {
-    node->hash = mix(node->hash, factor.node_->hash);
-    node->depth = std::max(node->depth, factor.node_->depth + 1);
-  }
-  if (node->depth > max_depth) throw FormulaLimit("a formula is nested too deeply");
-  node->operands = std::move(rest);
-  return Formula(std::move(node));
+  return Formula(Formula::node(Formula::Kind::product, std::move(rest)));
 }
 
 Formula power(const Formula& base, int exponent) {
@@ -183,14 +180,17 @@ Formula power(const Formula& base, int exponent) {
     mpz_pow_ui(value.get_den_mpz_t(), base.value().get_den_mpz_t(), exponent);
     return Formula(value);
   }
-  auto node = std::make_shared<Formula::Node>();
-  node->kind = Formula::Kind::power;
-  node->exponent = exponent;
-  node->hash = mix(mix(11, base.node_->hash), exponent);
-  node->depth = base.node_->depth + 1;
-  if (node->depth > max_depth) throw FormulaLimit("a formula is nested too deeply");
-  node->operands.push_back(base);
-  return Formula(std::move(node));
+  return Formula(Formula::node(Formula::Kind::power, {base}, exponent));
+}
+
+Formula inverse(const Formula& x) {
+  if (x.is_constant() && !x.is(0)) return Formula(Rational(1) / x.value());
+  return Formula(Formula::node(Formula::Kind::inverse, {x}));
+}
+
+Formula root(const Formula& radicand, int index) {
+  require(index >= 2 && index % 2 == 0, "root: an odd index");
+  return Formula(Formula::node(Formula::Kind::root, {radicand}, index));
 }
 
 Formula operator+(const Formula& a, const Formula& b) {
@@ -211,51 +211,75 @@ namespace {
 
 using Memo = std::unordered_map<const void*, Formula>;
 
-// Rebuilds a formula with `leaf` applied to its symbols. A known value whose
-// symbols stay the same keeps its facts; facts speak of numbers, so they never change.
+// Rebuilds a formula with other values for its symbols. Facts about numbers never change.
 Formula rebuild(const Formula& f, const std::map<std::string, Formula>& map, Memo& memo) {
-  if (f.is_constant() || f.kind() == Formula::Kind::known) return f;
+  if (f.is_constant() || (f.kind() == Formula::Kind::known && f.is_polynomial())) return f;
   if (f.kind() == Formula::Kind::symbol) {
     const auto found = map.find(f.name());
     return found == map.end() ? f : found->second;
   }
   if (const auto found = memo.find(f.identity()); found != memo.end()) return found->second;
   std::vector<Formula> operands;
-  bool changed = false;
+  bool changed = f.kind() == Formula::Kind::known;
   for (const Formula& operand : f.operands()) {
     operands.push_back(rebuild(operand, map, memo));
     changed = changed || operands.back().identity() != operand.identity();
   }
-  Formula result = f;
-  if (changed && f.kind() == Formula::Kind::sum) result = sum(std::move(operands));
-  if (changed && f.kind() == Formula::Kind::product) result = product(std::move(operands));
-  if (changed && f.kind() == Formula::Kind::power) result = power(operands[0], f.exponent());
+  const auto rebuilt = [&]() -> Formula {
+    switch (f.kind()) {
+      case Formula::Kind::sum:
+        return sum(std::move(operands));
+      case Formula::Kind::product:
+        return product(std::move(operands));
+      case Formula::Kind::power:
+        return power(operands[0], f.exponent());
+      case Formula::Kind::inverse:
+        return inverse(operands[0]);
+      case Formula::Kind::root:
+        return root(operands[0], f.exponent());
+      default: {
+        std::vector<Fact> facts;
+        for (const Fact& fact : f.facts())
+          facts.push_back({rebuild(fact.formula, map, memo), fact.relation});
+        return Formula::known(operands[0], std::move(facts));
+      }
+    }
+  };
+  Formula result = changed ? rebuilt() : f;
   memo.emplace(f.identity(), result);
   return result;
 }
 
 Formula derive(const Formula& f, const std::string& symbol, Memo& memo) {
-  if (f.is_constant() || f.kind() == Formula::Kind::known) return {0};
+  if (f.is_constant() || (f.kind() == Formula::Kind::known && f.is_polynomial())) return {0};
   if (f.kind() == Formula::Kind::symbol) return {f.name() == symbol ? 1 : 0};
   if (const auto found = memo.find(f.identity()); found != memo.end()) return found->second;
-  std::vector<Formula> terms;
   const auto& operands = f.operands();
-  switch (f.kind()) {
-    case Formula::Kind::sum:
-      for (const Formula& term : operands) terms.push_back(derive(term, symbol, memo));
-      break;
-    case Formula::Kind::product:
-      for (std::size_t i = 0; i < operands.size(); ++i) {
-        std::vector<Formula> factors = operands;
-        factors[i] = derive(operands[i], symbol, memo);
-        terms.push_back(product(std::move(factors)));
-      }
-      break;
-    default:  // a power
-      terms.push_back(product({Formula(f.exponent()), power(operands[0], f.exponent() - 1),
-                               derive(operands[0], symbol, memo)}));
-  }
-  Formula result = sum(std::move(terms));
+  const auto inner = [&] { return derive(operands[0], symbol, memo); };
+  const auto derived = [&]() -> Formula {
+    std::vector<Formula> terms;
+    switch (f.kind()) {
+      case Formula::Kind::sum:
+        for (const Formula& term : operands) terms.push_back(derive(term, symbol, memo));
+        return sum(std::move(terms));
+      case Formula::Kind::product:
+        for (std::size_t i = 0; i < operands.size(); ++i) {
+          std::vector<Formula> factors = operands;
+          factors[i] = derive(operands[i], symbol, memo);
+          terms.push_back(product(std::move(factors)));
+        }
+        return sum(std::move(terms));
+      case Formula::Kind::power:
+        return product({Formula(f.exponent()), power(operands[0], f.exponent() - 1), inner()});
+      case Formula::Kind::inverse:
+        return product({Formula(-1), power(f, 2), inner()});
+      case Formula::Kind::root:
+        return product({inner(), inverse(Formula(f.exponent()) * power(f, f.exponent() - 1))});
+      default:
+        return Formula::known(inner(), f.facts());
+    }
+  };
+  Formula result = derived();
   memo.emplace(f.identity(), result);
   return result;
 }

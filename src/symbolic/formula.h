@@ -21,15 +21,18 @@ struct FormulaLimit : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A polynomial expression in named symbols (variables, parameters, generators), as it was
-/// written: an immutable shared tree, never expanded. Building costs O(1); only constants are
-/// folded.
+/// An expression in named symbols (variables, parameters, generators), as it was written: an
+/// immutable shared tree, never expanded. Building costs O(1); only constants are folded.
+///
+/// Most formulas are polynomials. A quotient is a product with an `inverse`; `root` is the root
+/// >= 0 of a function (an even index). Either has a value only where its operand is not 0, not
+/// negative: whoever states something of such a formula states that too.
 ///
 /// The names of generators (numbers such as `sqrt(5)`) hold a parenthesis; those of variables
 /// do not.
 class Formula {
  public:
-  enum class Kind { constant, symbol, sum, product, power, known };
+  enum class Kind { constant, symbol, sum, product, power, inverse, root, known };
 
   Formula(long value = 0);
   explicit Formula(exact::Rational value);
@@ -43,12 +46,14 @@ class Formula {
   const exact::Rational& value() const;  ///< of a constant
   const std::string& name() const;       ///< of a symbol
   const std::vector<Formula>& operands()
-      const;                               ///< sum, product; power: the base; known: the value
-  int exponent() const;                    ///< of a power, >= 0
+      const;                               ///< one; of a sum, product: any number
+  int exponent() const;                    ///< of a power, >= 0; the index of a root, >= 2
   const std::vector<Fact>& facts() const;  ///< of a known value
 
   bool is_constant() const { return kind() == Kind::constant; }
   bool is(long value) const;
+  /// No inverse, no root, no fact about variables: a polynomial as it stands.
+  bool is_polynomial() const;
 
   /// Equal as trees. O(1) when shared or when the hashes differ.
   bool same(const Formula& other) const;
@@ -68,14 +73,20 @@ class Formula {
   friend Formula sum(std::vector<Formula>);
   friend Formula product(std::vector<Formula>);
   friend Formula power(const Formula&, int);
+  friend Formula inverse(const Formula&);
+  friend Formula root(const Formula&, int);
+  static std::shared_ptr<Node> node(Kind, std::vector<Formula> operands, int exponent = 0);
   std::shared_ptr<const Node> node_;
 };
 
 Formula sum(std::vector<Formula> terms);
 Formula product(std::vector<Formula> factors);
 Formula power(const Formula& base, int exponent);  ///< exponent >= 0
+Formula inverse(const Formula&);                   ///< 1/x
+Formula root(const Formula& radicand, int index);  ///< index even
 
-/// The derivative with respect to a symbol. Facts stay with the values they belong to.
+/// The derivative with respect to a symbol. Facts about variables stay with the values they belong
+/// to; numbers have none.
 Formula diff(const Formula&, const std::string& symbol);
 
 /// Every occurrence of a symbol in the map replaced, all at once.

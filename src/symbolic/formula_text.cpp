@@ -26,6 +26,16 @@ class Writer {
         return;
       case Formula::Kind::known:
         return write(f.operands()[0], around);
+      case Formula::Kind::inverse:
+        return wrapped(around != Around::sum, [&] {
+          text_ += "1/";
+          write(f.operands()[0], Around::power);
+        });
+      case Formula::Kind::root:
+        text_ += f.exponent() == 2 ? "sqrt(" : "root_n(";
+        write(f.operands()[0], Around::sum);
+        text_ += f.exponent() == 2 ? ")" : ", " + std::to_string(f.exponent()) + ")";
+        return;
       case Formula::Kind::power:
         return wrapped(around == Around::power, [&] {
           write(f.operands()[0], Around::power);

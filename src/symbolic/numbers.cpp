@@ -2,6 +2,8 @@
 #include "symbolic/numbers.h"
 
 #include <algorithm>
+#include <iterator>
+#include <unordered_map>
 #include <utility>
 
 #include "exact/contract.h"
@@ -9,8 +11,10 @@
 #include "symbolic/expand.h"
 
 // A root is looked for in three places: among the rationals (perfect powers are taken out of
-// the radicand's rational content), in the field so far (a linear factor), and, where its
-// irreducible factor is of higher degree, in the field extended by it.
+// the radicand's rational content), in the field of the radicand (a linear factor), and, where
+// its irreducible factor is of higher degree, in the field extended by it: it becomes a
+// generator. Generators that were made apart may depend on each other; the field of both shows
+// it, for there the polynomial of the later one is factored again.
 
 namespace seam::symbolic {
 
@@ -20,24 +24,6 @@ using exact::Rational;
 using exact::RootInterval;
 using exact::Sign;
 using exact::Univariate;
-
-struct Numbers::Tower {
-  exact::RingPtr ring = exact::Ring::make(nullptr, {});
-  Expansion expansion{ring};
-  std::vector<Generator> generators;
-  struct Known {
-    int n;
-    Polynomial radicand, root;  ///< in the rings of their times
-  };
-  std::vector<Known> roots;
-
-  Polynomial number(const Formula& f) { return expansion(f); }
-  Polynomial root_of(const Univariate& squarefree, RootInterval where);
-  Polynomial adjoined(const Univariate& irreducible, RootInterval where);
-  Polynomial quadratic(const Univariate& irreducible, RootInterval where);
-  Polynomial power_root(const Polynomial& radicand, int n);
-  std::string unused(const std::string& name) const;
-};
 
 namespace {
 
@@ -107,55 +93,133 @@ std::string name_of(const Univariate& f) {
 
 }  // namespace
 
-std::string Numbers::Tower::unused(const std::string& name) const {
-  const auto taken = [&](const std::string& n) {
-    return std::ranges::any_of(generators, [&](const Generator& g) { return g.name == n; });
+// All generators, and the fields that were asked for, by the indices of their generators.
+struct Numbers::Forest {
+  using Support = std::vector<std::size_t>;  // ascending, closed under "is defined by"
+  struct Grown {
+    Field field;
+    std::unique_ptr<Expansion> expansion;
   };
+  std::vector<Generator> generators;
+  std::vector<Support> supports;  // of each generator, itself the last
+  std::map<std::string, std::size_t> index;
+  std::map<Support, Grown> fields;
+  std::map<std::pair<int, std::string>, Formula> roots;  // by index and radicand
+  std::unordered_map<const void*, std::pair<Formula, Support>> known_supports;
+
+  const Support& support(const Formula&);
+  const Grown& grown(const Support&);
+  const Grown& field_of(const Formula& f) { return grown(support(f)); }
+  Polynomial number(const Formula& f) { return (*field_of(f).expansion)(f); }
+  void extend(Grown&, const Generator&);
+  Formula root_of(const Grown&, const Univariate& squarefree, RootInterval where);
+  Formula power_root(const Grown&, const Polynomial& radicand, int n);
+  Formula quadratic_root(const Grown&, const Univariate& irreducible, RootInterval where);
+  std::string unused(const std::string& name) const;
+};
+
+namespace {
+
+std::vector<std::size_t> united(const std::vector<std::size_t>& a,
+                                const std::vector<std::size_t>& b) {
+  std::vector<std::size_t> all;
+  std::ranges::set_union(a, b, std::back_inserter(all));
+  return all;
+}
+
+void require_small(const exact::RingPtr& ring, int degree) {
+  constexpr int max_degree = 64;
+  if (exact::dimension(ring->tower()) * degree > max_degree)
+    throw NumberLimit("numbers of a field of degree over 64 are not covered");
+}
+
+}  // namespace
+
+const Numbers::Forest::Support& Numbers::Forest::support(const Formula& f) {
+  if (const auto known = known_supports.find(f.identity()); known != known_supports.end())
+    return known->second.second;
+  Support result;
+  if (f.kind() == Formula::Kind::symbol)
+    if (const auto found = index.find(f.name()); found != index.end())
+      result = supports[found->second];
+  for (const Formula& operand : f.operands()) result = united(result, support(operand));
+  return known_supports.try_emplace(f.identity(), f, std::move(result)).first->second.second;
+}
+
+// The generators one after the other; fields that begin alike share their beginning.
+const Numbers::Forest::Grown& Numbers::Forest::grown(const Support& names) {
+  if (const auto known = fields.find(names); known != fields.end()) return known->second;
+  Grown result;
+  if (names.empty()) {
+    result.field.ring = exact::Ring::make(nullptr, {});
+  } else {
+    result.field = grown({names.begin(), names.end() - 1}).field;
+    extend(result, generators[names.back()]);
+  }
+  result.expansion =
+      std::make_unique<Expansion>(result.field.ring, Atoms{}, result.field.values);
+  return fields.emplace(names, std::move(result)).first->second;
+}
+
+void Numbers::Forest::extend(Grown& to, const Generator& generator) {
+  Field& field = to.field;
+  const std::string& name = generator.name;
+  const auto over = exact::Ring::make(field.ring->tower(), {name});
+  const Polynomial polynomial = Expansion(over, {}, field.values)(generator.polynomial);
+  Univariate f;
+  for (const Polynomial& c : exact::univariate(polynomial, 0))
+    f.push_back(field.ring->embed(c));
+  const RootInterval where{generator.low, generator.high};
+  const Univariate factor = exact::irreducible_factor(f, where);
+  const auto facts = [&](const Formula& value) -> std::vector<Fact> {
+    return {{subst(generator.polynomial, {{name, value}}), Fact::Relation::zero},
+            {value - Formula(generator.low), Fact::Relation::nonnegative},
+            {Formula(generator.high) - value, Fact::Relation::nonnegative}};
+  };
+  if (exact::degree(factor) == 1) {
+    const Formula value = formula(-factor[0]);
+    field.dependent.emplace(name, Formula::known(value, facts(value)));
+    field.values.emplace(name, -factor[0]);
+    return;
+  }
+  require_small(field.ring, exact::degree(factor));
+  const Univariate cleared = field.ring->constant(common_denominator(factor)) * factor;
+  const auto bracket = exact::bracket(factor, where);
+  field.generators.push_back({name, in_symbol(cleared, name), bracket.low, bracket.high});
+  field.ring = exact::Ring::make(exact::adjoin(factor, name, bracket), {});
+  for (auto& value : field.values) value.second = field.ring->embed(value.second);
+  field.values.emplace(name, *field.ring->symbol(name));
+}
+
+std::string Numbers::Forest::unused(const std::string& name) const {
   std::string result = name;
-  for (int i = 2; taken(result); ++i) result = name + "(" + std::to_string(i) + ")";
+  for (int i = 2; index.contains(result); ++i) result = name + "(" + std::to_string(i) + ")";
   return result;
 }
 
-// The irreducible factor of a polynomial, where the field can take it.
-Univariate factor_at(const exact::TowerPtr& tower, const Univariate& squarefree,
-                     const RootInterval& where) {
-  constexpr int max_degree = 64;
-  if (exact::dimension(tower) * exact::degree(squarefree) > max_degree)
-    throw NumberLimit("numbers of a field of degree over 64 are not covered");
-  return exact::irreducible_factor(squarefree, where);
-}
-
-Polynomial Numbers::Tower::root_of(const Univariate& squarefree, RootInterval where) {
-  const Univariate f = factor_at(ring->tower(), squarefree, where);
-  return exact::degree(f) == 2 ? quadratic(f, where) : adjoined(f, where);
-}
-
-// x^2 + 2 p x + q: the roots are -p - r and -p + r with r^2 = p^2 - q.
-Polynomial Numbers::Tower::quadratic(const Univariate& f, RootInterval where) {
-  const Polynomial middle = Rational(-1, 2) * f[1];
-  const auto side = [&](const Rational& end) {
-    return exact::sign(ring->constant(end) - middle);
-  };
-  while (side(where.low) != side(where.high)) where = exact::halved(f, where);
-  const bool is_upper = side(where.low) == Sign::positive;
-  const Polynomial r = power_root(middle * middle - f[0], 2), centre = ring->embed(middle);
-  return is_upper ? centre + r : centre - r;
-}
-
-Polynomial Numbers::Tower::adjoined(const Univariate& f, RootInterval where) {
-  if (exact::degree(f) == 1) return -f[0];
+Formula Numbers::Forest::root_of(const Grown& in, const Univariate& squarefree,
+                                 RootInterval where) {
+  const exact::RingPtr ring = in.field.ring;
+  require_small(ring, exact::degree(squarefree));
+  const Univariate f = exact::irreducible_factor(squarefree, where);
+  if (exact::degree(f) == 1) return formula(-f[0]);
   const Univariate cleared = ring->constant(common_denominator(f)) * f;
   const auto bracket = exact::bracket(f, where);
   const std::string name = unused(name_of(cleared));
-  generators.push_back({name, in_symbol(cleared, name), bracket.low, bracket.high});
-  ring = exact::Ring::make(exact::adjoin(f, name, bracket), {});
-  expansion = Expansion(ring);
-  return *ring->symbol(name);
+  const Formula polynomial = in_symbol(cleared, name);
+  Support own = support(polynomial);
+  own.push_back(generators.size());
+  known_supports.clear();  // the new symbol was not known as a generator
+  index.emplace(name, generators.size());
+  generators.push_back({name, polynomial, bracket.low, bracket.high});
+  supports.push_back(std::move(own));
+  return Formula::symbol(name);
 }
 
 // radicand = (a / b) e > 0 with e primitive: its root is t / b times the root of (a b^(n-1) /
 // t^n) e.
-Polynomial Numbers::Tower::power_root(const Polynomial& radicand, int n) {
+Formula Numbers::Forest::power_root(const Grown& in, const Polynomial& radicand, int n) {
+  const exact::RingPtr ring = in.field.ring;
   const auto [terms, denominator] = radicand.numerators();
   Integer content = 0;
   for (const Integer& c : terms.begin()->second) content = gcd(content, c);
@@ -166,36 +230,49 @@ Polynomial Numbers::Tower::power_root(const Polynomial& radicand, int n) {
   factor.canonicalize();
   primitive.canonicalize();
   const Polynomial inside = primitive * radicand;
+  if (inside == ring->constant(1)) return Formula(factor);
 
-  for (const Known& known : roots)
-    if (known.n == n && ring->embed(known.radicand) == inside)
-      return factor * ring->embed(known.root);
+  const std::pair<int, std::string> key = {n, text(formula(inside))};
+  if (const auto known = roots.find(key); known != roots.end())
+    return Formula(factor) * known->second;
   Univariate f(n + 1, ring->constant(0));
   f[0] = -inside;
   f[n] = ring->constant(1);
   const Rational bound = exact::enclosure(inside, 4).high + 1;
-  const Polynomial root = inside == ring->constant(1)
-                              ? inside
-                              : adjoined(factor_at(ring->tower(), f, {0, bound}), {0, bound});
-  roots.push_back({n, inside, root});
-  return factor * ring->embed(root);
+  const Formula root = root_of(in, f, {0, bound});
+  roots.emplace(key, root);
+  return Formula(factor) * root;
 }
 
-Numbers::Numbers() : tower_(std::make_unique<Tower>()) {}
+// x^2 + 2 p x + q: the roots are -p - r and -p + r with r^2 = p^2 - q.
+Formula Numbers::Forest::quadratic_root(const Grown& in, const Univariate& f,
+                                        RootInterval where) {
+  const exact::RingPtr ring = in.field.ring;
+  const Polynomial middle = Rational(-1, 2) * f[1];
+  const auto side = [&](const Rational& end) {
+    return exact::sign(ring->constant(end) - middle);
+  };
+  while (side(where.low) != side(where.high)) where = exact::halved(f, where);
+  const Formula r = power_root(in, middle * middle - f[0], 2), centre = formula(middle);
+  return side(where.low) == Sign::positive ? centre + r : centre - r;
+}
+
+Numbers::Numbers() : forest_(std::make_unique<Forest>()) {}
 Numbers::~Numbers() = default;
 Numbers::Numbers(Numbers&&) noexcept = default;
 Numbers& Numbers::operator=(Numbers&&) noexcept = default;
 
 Formula Numbers::nth_root(const Formula& radicand, int n) {
   exact::require(n >= 2, "nth_root: n < 2");
-  const Polynomial x = tower_->number(radicand);
+  const Forest::Grown& in = forest_->field_of(radicand);
+  const Polynomial x = forest_->number(radicand);
   const Sign s = exact::sign(x);
   if (s == Sign::negative && n % 2 == 0)
     throw NumberError(std::string(n == 2 ? "square root" : "even root") +
                       " of a negative number (about " + roughly(x) + ")");
   Formula value = 0;
-  if (s == Sign::positive) value = formula(tower_->power_root(x, n));
-  if (s == Sign::negative) value = formula(-tower_->power_root(-x, n));
+  if (s == Sign::positive) value = forest_->power_root(in, x, n);
+  if (s == Sign::negative) value = -forest_->power_root(in, -x, n);
   std::vector<Fact> facts = {{power(value, n) - radicand, Fact::Relation::zero}};
   if (n % 2 == 0) facts.push_back({value, Fact::Relation::nonnegative});
   return Formula::known(value, std::move(facts));
@@ -204,34 +281,39 @@ Formula Numbers::nth_root(const Formula& radicand, int n) {
 Formula Numbers::root(const Formula& polynomial, const std::string& unknown,
                       const Rational& low, const Rational& high) {
   const std::string where = "[" + low.get_str() + ", " + high.get_str() + "]";
-  Expansion expansion(exact::Ring::make(tower_->ring->tower(), {unknown}));
+  const Forest::Grown& in = forest_->field_of(polynomial);
+  Expansion expansion(exact::Ring::make(in.field.ring->tower(), {unknown}), {},
+                      in.field.values);
   const Univariate coefficients = exact::univariate(expansion(polynomial), 0);
   if (coefficients.empty()) throw NumberError("every number is a root of 0");
   Univariate f;
-  for (const Polynomial& c : coefficients) f.push_back(tower_->ring->embed(c));
+  for (const Polynomial& c : coefficients) f.push_back(in.field.ring->embed(c));
   f = exact::squarefree(f);
   const auto roots = exact::real_roots(f, low, high);
   if (roots.empty()) throw NumberError("no root in " + where);
   if (roots.size() > 1) throw NumberError(std::to_string(roots.size()) + " roots in " + where);
-  const Formula value = formula(tower_->root_of(f, roots.front()));
+  require_small(in.field.ring, exact::degree(f));
+  f = exact::irreducible_factor(f, roots.front());
+  const Formula value = exact::degree(f) == 2 ? forest_->quadratic_root(in, f, roots.front())
+                                              : forest_->root_of(in, f, roots.front());
   return Formula::known(value, {{subst(polynomial, {{unknown, value}}), Fact::Relation::zero},
                                 {value - Formula(low), Fact::Relation::nonnegative},
                                 {Formula(high) - value, Fact::Relation::nonnegative}});
 }
 
 Formula Numbers::inverse(const Formula& x) {
-  const Polynomial number = tower_->number(x);
+  const Polynomial number = forest_->number(x);
   if (number.is_zero()) throw NumberError("division by 0");
   const Formula value = formula(exact::inverse(number));
   return Formula::known(value, {{x * value - Formula(1), Fact::Relation::zero}});
 }
 
 Sign Numbers::sign(const Formula& number) const {
-  return exact::sign(tower_->number(number));
+  return exact::sign(forest_->number(number));
 }
 
 bool Numbers::equal(const Formula& a, const Formula& b) const {
-  return tower_->number(a) == tower_->number(b);
+  return forest_->number(a - b).is_zero();
 }
 
 bool Numbers::equal(const Point& a, const Point& b) const {
@@ -240,21 +322,21 @@ bool Numbers::equal(const Point& a, const Point& b) const {
 }
 
 std::optional<Rational> Numbers::rational(const Formula& number) const {
-  return tower_->number(number).rational();
+  return forest_->number(number).rational();
 }
 
 Formula Numbers::normal_form(const Formula& number) const {
-  return formula(tower_->number(number));
+  return formula(forest_->number(number));
 }
 
 double Numbers::approximate(const Formula& number) const {
-  return exact::ball(tower_->number(number)).middle;
+  return exact::ball(forest_->number(number)).middle;
 }
 
 std::pair<Rational, Rational> Numbers::enclosure(const Formula& number,
                                                  const Rational& width) const {
   exact::require(width > 0, "enclosure: width <= 0");
-  const Polynomial x = tower_->number(number);
+  const Polynomial x = forest_->number(number);
   for (long bits = 32;; bits *= 2) {
     const auto e = exact::enclosure(x, bits);
     if (e.high - e.low <= width) return {e.low, e.high};
@@ -265,7 +347,7 @@ std::pair<Rational, Rational> Numbers::enclosure(const Formula& number,
 // enclosed by itself.
 std::string Numbers::decimal(const Formula& number, int digits) const {
   exact::require(digits >= 0, "decimal: a negative number of digits");
-  const Polynomial x = tower_->number(number);
+  const Polynomial x = forest_->number(number);
   const bool negative = exact::sign(x) == Sign::negative;
   const Polynomial scaled = Rational(pow(10, digits)) * (negative ? -x : x);
   const auto rounded = [](const Rational& r) {
@@ -290,31 +372,20 @@ std::string Numbers::decimal(const Formula& number, int digits) const {
   return (negative && result != 0 ? "-" : "") + text;
 }
 
-struct Numbers::Mark {
-  exact::RingPtr ring;
-  std::size_t generators, roots;
-};
-
-std::shared_ptr<const Numbers::Mark> Numbers::mark() const {
-  return std::make_shared<const Mark>(
-      Mark{tower_->ring, tower_->generators.size(), tower_->roots.size()});
-}
-
-void Numbers::restore(const Mark& mark) {
-  if (mark.ring == tower_->ring) return;
-  tower_->ring = mark.ring;
-  tower_->expansion = Expansion(mark.ring);
-  tower_->generators.erase(tower_->generators.begin() + mark.generators,
-                           tower_->generators.end());
-  tower_->roots.erase(tower_->roots.begin() + mark.roots, tower_->roots.end());
-}
-
 const std::vector<Numbers::Generator>& Numbers::generators() const {
-  return tower_->generators;
+  return forest_->generators;
 }
 
-std::shared_ptr<const exact::Tower> Numbers::tower() const {
-  return tower_->ring->tower();
+const Numbers::Field& Numbers::field(const std::set<std::string>& symbols) const {
+  Forest::Support all;
+  for (const std::string& symbol : symbols)
+    if (const auto found = forest_->index.find(symbol); found != forest_->index.end())
+      all = united(all, forest_->supports[found->second]);
+  return forest_->grown(all).field;
+}
+
+const Numbers::Field& Numbers::field(const Formula& number) const {
+  return forest_->field_of(number).field;
 }
 
 }  // namespace seam::symbolic

@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "exact/rational.h"
+#include "exact/polynomial.h"
 #include "symbolic/formula.h"
-
-namespace seam::exact {
-class Tower;
-}
 
 namespace seam::symbolic {
 
@@ -28,12 +26,13 @@ struct NumberLimit : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The real algebraic numbers of one file: a growing tower of real fields over Q, and exact
-/// decisions about formulas without variables ("number formulas").
+/// The real algebraic numbers of one file: generators (roots of polynomials over earlier ones) and
+/// exact decisions about formulas without variables ("number formulas").
 ///
-/// The tower is always a field: before a root is adjoined, its polynomial is factored over the
-/// field so far, and a root that lies in the field already is expressed in it. So a number is 0
-/// exactly when its normal form is. Results are `known` formulas whose facts say what they are.
+/// Every decision is made in the field of just those generators that the numbers in question hold.
+/// In it each generator is either a further root, its polynomial factored over those before, or
+/// expressed by them. So a number is 0 exactly when its normal form is, and what a file holds
+/// besides costs nothing. Results are `known` formulas whose facts say what they are.
 /// Deterministic.
 class Numbers {
  public:
@@ -75,20 +74,23 @@ class Numbers {
     exact::Rational low, high;  ///< holds this root of the polynomial, no other, and not as an
                                 ///< end where a sign change could not show it
   };
-  const std::vector<Generator>& generators() const;
 
-  /// The field as it is now; `restore` takes back what was adjoined since, so that it leaves
-  /// room for other numbers. Formulas in what is taken back are no numbers any more.
-  struct Mark;
-  std::shared_ptr<const Mark> mark() const;
-  void restore(const Mark&);
+  const std::vector<Generator>& generators() const;  ///< all, in the order they were made
 
-  /// The field itself, for whoever computes in polynomials over it.
-  std::shared_ptr<const exact::Tower> tower() const;
+  /// The field of some generators, and of those that they are defined by.
+  struct Field {
+    exact::RingPtr ring;                              ///< no variables
+    std::vector<Generator> generators;                ///< of its tower, irreducible in turn
+    std::map<std::string, exact::Polynomial> values;  ///< of all generators, in the ring
+    std::map<std::string, Formula> dependent;         ///< those of no step, by the others; known
+  };
+  /// Of the generators among these symbols.
+  const Field& field(const std::set<std::string>& symbols) const;
+  const Field& field(const Formula& number) const;
 
  private:
-  struct Tower;
-  std::unique_ptr<Tower> tower_;
+  struct Forest;
+  std::unique_ptr<Forest> forest_;
 };
 
 }  // namespace seam::symbolic

@@ -22,6 +22,7 @@ Certificate example() {
              {Node::Kind::sum, {}, {0, 1}, 0},      {Node::Kind::product, {}, {}, 0},
              {Node::Kind::power, {}, {1}, 2},       {Node::Kind::symbol, "\"é\\\n", {}, 0}};
   s.generators = {{"sqrt(5)", 4, "2", "9/4"}};
+  s.functions = {{"sqrt(u)", 2, 2}, {"cbrt(v)", 4, 3}};
   const Simplex segment = {{"u"}, {{0, 1}, {2, 3}}, {false, true}};
   s.obligations = {
       Zero{2},
@@ -29,7 +30,8 @@ Certificate example() {
       Solutions{{2, 4}, "u", {"v", "w"}, segment, {{3, {}, {}}, {-1, "0", "1/2"}}},
       Gluing{{{{0, 1}, {1, 0}}, {{0, 1}, {1, 0}}}, {{0, 0, 1, 0, true}, {0, 1, 1, 1}}, 2},
       Distinct{{{0, 1}, {1, 0}}},
-      Zero{0}};
+      Zero{0},
+      Sign{1, Relation::zero, {}}};
   s.guards = {0, 3};
   s.goal = {Goal::Kind::all,
             {{Goal::Kind::obligation, {}, 0},
@@ -44,13 +46,19 @@ Certificate example() {
   square.side = Relation::negative;
   square.square = 6;
   square.cofactor = 7;
+  using enum Reduction::Kind;
+  const Reduction sum = {combination, {6, 0}, {1, 0}, {square, Computation{}}};
+  const Reduction inner = {conjugate, {6}, {}, {sum, Computation{}}};
+  const Reduction nested = {
+      multiplier, {7}, {}, {pieces, Reduction{cases, {5}, {}, {inner, Computation{}}}}};
   const Point point = {{"u", "v"}, {6, 7}};
   c.evidence.proofs = {Computation{},
                        square,
                        Roots{1, {2}, {3, 4}, {1, 2}, 5, {pieces}, {pieces, square}},
                        Nothing{"time", "no more"},
                        Witness{point, {point}},
-                       WrongSolution{3, -1}};
+                       WrongSolution{3, -1},
+                       nested};
   return c;
 }
 
@@ -90,7 +98,7 @@ TEST(Json, lines_are_short_however_long_the_lists) {
   for (int i = 0; i < 1000; ++i) c.statement.nodes.push_back({Node::Kind::sum, {}, {i, 0}, 0});
   c.evidence.nodes.clear();
   c.evidence.generators.clear();
-  c.evidence.proofs.assign(6, Nothing{});
+  c.evidence.proofs.assign(7, Nothing{});
   const std::string text = write(c);
   EXPECT_EQ(read(text), c);
   std::size_t start = 0;
@@ -187,6 +195,39 @@ TEST(Json, indices_that_point_outside_or_forward_are_rejected) {
   expect_rejected(replaced(text, "{\"sum\":[0,1]}", "{\"sum\":[0,2]}"), "before it");
   expect_rejected(replaced(text, "{\"sum\":[0,1]}", "{\"sum\":[0,-1]}"), "before it");
   expect_rejected(replaced(text, "{\"zero\":2}", "{\"zero\":6}"), "before it");
+}
+
+TEST(Json, a_statement_without_functions_does_not_speak_of_them) {
+  Certificate c = example();
+  EXPECT_NE(write(c).find("\"functions\""), std::string::npos);
+  c.statement.functions.clear();
+  EXPECT_EQ(write(c).find("\"functions\""), std::string::npos);
+  EXPECT_EQ(read(write(c)), c);
+}
+
+TEST(Json, a_function_is_a_root_of_degree_2_or_more_of_a_node) {
+  const std::string text = write(example());
+  expect_rejected(replaced(text, "\"degree\":3", "\"degree\":1"), "degree below 2");
+  expect_rejected(replaced(text, "\"radicand\":4", "\"radicand\":6"), "before it");
+  expect_rejected(replaced(text, "\"cbrt(v)\"", "\"\""), "without a name");
+}
+
+TEST(Json, proofs_of_a_sign_have_the_parts_of_their_rule) {
+  const std::string text = write(example());
+  expect_rejected(replaced(text, "\"below\"", "\"beside\""), "no member 'beside'");
+  expect_rejected(replaced(text, "\"multiplier\": 7", "\"multiplier\": 8"), "before it");
+  expect_rejected(replaced(text, "\"cofactors\": [6,0]", "\"cofactors\": [6]"), "one cofactor");
+  expect_rejected(replaced(text, "\"combination\": [1,0]", "\"combination\": [1,-1]"),
+                  "negative index");
+}
+
+TEST(Json, a_proof_that_is_nested_too_deeply_is_rejected) {
+  Certificate c = example();
+  for (int depth = 0; depth < 60; ++depth) {
+    Reduction& proof = std::get<Reduction>(c.evidence.proofs.back());
+    proof = Reduction{Reduction::Kind::cases, {0}, {}, {Reduction(proof), Computation{}}};
+  }
+  expect_rejected(write(c), "proof is nested too deeply");
 }
 
 TEST(Json, rationals_have_one_spelling) {

@@ -19,9 +19,13 @@ class ContactTest : public ::testing::Test {
   }
   Patch right(const Formula& height) const { return square_of({v, u, height}, 3, 3, numbers); }
 
-  bool is_g0(const Patch& p, const Patch& q) const { return holds(g0(p, q, numbers), numbers); }
-  bool is_g1(const Patch& p, const Patch& q) const { return holds(g1(p, q, numbers), numbers); }
-  bool is_g2(const Patch& p, const Patch& q) const { return holds(g2(p, q, numbers), numbers); }
+  using Along = Proposition (*)(const Contact&);
+  bool meet(const Patch& p, const Patch& q, Along condition) const {
+    return holds(along_a_common_side(p, q, condition, numbers).proposition, numbers);
+  }
+  bool is_g0(const Patch& p, const Patch& q) const { return meet(p, q, g0); }
+  bool is_g1(const Patch& p, const Patch& q) const { return meet(p, q, g1); }
+  bool is_g2(const Patch& p, const Patch& q) const { return meet(p, q, g2); }
 
   symbolic::Numbers numbers;
   const Patch unit = flat_square({0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0});
@@ -131,10 +135,33 @@ TEST_F(ContactTest, patches_may_hold_parameters) {
   const Formula c = Formula::symbol("c");
   const Patch p = square_of({-v, u, c * u - c * v}, 1, 1, numbers);
   const Patch q = square_of({v, u, c * u + c * v}, 1, 1, numbers);
-  const Proposition g = g1(p, q, numbers);
-  ASSERT_EQ(g.kind, Proposition::Kind::all);
+  const Criterion g = along_a_common_side(p, q, Along(g1), numbers);
+  ASSERT_EQ(g.proposition.kind, Proposition::Kind::all);
   EXPECT_TRUE(is_g0(p, q));
   EXPECT_FALSE(is_g0(p, square_of({v, u, c * u * u}, 2, 1, numbers)));
+}
+
+TEST_F(ContactTest, a_failure_refutes_where_no_other_sides_can_meet) {
+  using Failure = Criterion::Failure;
+  const Formula c = Formula::symbol("c");
+  const auto failure = [&](const Formula& third, const std::vector<Sample>& samples = {}) {
+    const Patch p = flat_triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+    const Patch q = flat_triangle({0, 0, 0}, {1, 0, 0}, {0, third, 0});
+    return along_a_common_side(p, q, Along(g1), numbers, samples).failure;
+  };
+  EXPECT_EQ(failure(-1), Failure::refutes);
+  EXPECT_EQ(failure(1), Failure::refutes);
+  EXPECT_EQ(failure(c), Failure::refutes_by_identities);  // at c = 1 all three sides meet
+  EXPECT_EQ(failure(c, {{{"c", 2}}}), Failure::refutes);  // folded there
+  EXPECT_EQ(failure(c, {{{"c", -2}}}), Failure::refutes_by_identities);
+}
+
+TEST_F(ContactTest, sides_that_meet_for_single_values_do_not_meet) {
+  const Formula c = Formula::symbol("c");
+  const Patch shifted = flat_square({1, c, 0}, {2, c, 0}, {2, 1 + c, 0}, {1, 1 + c, 0});
+  const Criterion g = along_a_common_side(unit, shifted, Along(g0), numbers);
+  EXPECT_FALSE(holds(g.proposition, numbers));
+  EXPECT_EQ(g.failure, Criterion::Failure::refutes);
 }
 
 TEST_F(ContactTest, regular_means_a_normal_everywhere) {

@@ -54,6 +54,12 @@ TEST_F(SimilarityTest, a_scaled_surface_is_similar_and_not_congruent) {
   EXPECT_FALSE(are_congruent(odd, large));
 }
 
+TEST_F(SimilarityTest, the_similarity_is_said) {
+  const Proposition p = similar(odd, moved(odd, 3, mirror, {1, 0, 0}), numbers);
+  EXPECT_EQ(p.parts.at(0).about,
+            "x -> 3 * [1, 0, 0; 0, 1, 0; 0, 0, -1] * x + (1, 0, 0), of positive scale");
+}
+
 TEST_F(SimilarityTest, the_similarity_is_found) {
   const auto found = find_similarity(odd, moved(odd, 3, turn, {1, 0, 0}), numbers);
   ASSERT_TRUE(found);

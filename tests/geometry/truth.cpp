@@ -79,7 +79,7 @@ std::vector<Values> grid(const symbolic::Domain& domain) {
 }
 
 bool decide(const symbolic::Zero& zero, const Numbers& numbers) {
-  return vanishes(zero.formula, numbers);
+  return testing::vanishes(zero.formula, numbers);
 }
 
 bool decide(const symbolic::Sign& sign, const Numbers& numbers) {
@@ -162,7 +162,7 @@ bool vanishes(const Formula& f, const Numbers& numbers) {
 }
 
 bool vanishes(const Point& point, const Numbers& numbers) {
-  return std::ranges::all_of(point, [&](const Formula& f) { return vanishes(f, numbers); });
+  return std::ranges::all_of(point, [&](const Formula& f) { return testing::vanishes(f, numbers); });
 }
 
 }  // namespace seam::geometry::testing

@@ -98,6 +98,9 @@ inline T operator*(T a, T b) {
 inline T operator+(T a, int b) {
   return a + a.draft->number(std::to_string(b));
 }
+inline T operator+(int a, T b) {
+  return b + a;
+}
 inline T operator*(int a, T b) {
   return b.draft->number(std::to_string(a)) * b;
 }

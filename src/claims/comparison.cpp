@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include "symbolic/denominator.h"
+#include "claims/stating.h"
+#include "symbolic/approximate.h"
+#include "symbolic/atoms.h"
+
+// A comparison of quotients a/b and c/d becomes one of polynomials: (a d - c b) * sign(b d)
+// with 0. The sign of a divisor is guessed at one point of the context and stated as a guard for all
+// of it, so that nothing rests on the guess. Under constraints the context may fall
+// apart into pieces with different signs; there no sign is assumed, and b d is
+// multiplied in.
+
+namespace seam::claims {
+namespace {
+
+using symbolic::Constraint;
+using symbolic::Simplex;
+
+Relation relation_of(const std::string& operation) {
+  if (operation == "=") return Relation::zero;
+  if (operation == "!=") return Relation::nonzero;
+  if (operation == "<") return Relation::negative;
+  if (operation == "<=") return Relation::nonpositive;
+  if (operation == ">") return Relation::positive;
+  return Relation::nonnegative;
+}
+
+Relation flipped(Relation relation) {
+  switch (relation) {
+    case Relation::positive:
+      return Relation::negative;
+    case Relation::nonnegative:
+      return Relation::nonpositive;
+    case Relation::nonpositive:
+      return Relation::nonnegative;
+    case Relation::negative:
+      return Relation::positive;
+    default:
+      return relation;
+  }
+}
+
+bool touches(const Simplex& factor, const std::set<std::string>& variables) {
+  return std::ranges::any_of(factor.variables,
+                             [&](const auto& v) { return variables.contains(v); });
+}
+
+// The variables under the roots of a formula.
+std::set<std::string> under_roots(const Formula& f) {
+  symbolic::Atoms atoms;
+  atoms.add(f);
+  std::set<std::string> result;
+  for (const auto& entry : atoms.entries()) result.merge(symbolic::variables(entry.formula));
+  return result;
+}
+
+}  // namespace
+
+Proposition Stating::holds(const Formula& f, Relation relation, const Context& context,
+                           const Expression& at, const std::string& about) {
+  for (const Constraint& constraint : context.where)
+    if (symbolic::variables(constraint.formula).empty())
+      throw Unsupported("a condition without variables");
+  std::set<std::string> open = symbolic::variables(f);
+  for (const Constraint& constraint : context.where)
+    open.merge(symbolic::variables(constraint.formula));
+  if (open.empty() && context.where.empty()) {
+    if (relation == Relation::zero) return symbolic::atom(symbolic::Zero{f}, about);
+    return symbolic::atom(symbolic::Sign{f, relation, {}}, about);
+  }
+
+  symbolic::Domain domain;
+  domain.where = context.where;
+  std::vector<std::string> lines;
+  std::set<std::string> bound;
+  const auto use_factor = [&](const Simplex& factor) {
+    for (const std::string& v : factor.variables)
+      if (bound.contains(v) && symbolic::variables(f).contains(v))
+        throw Unsupported("a variable that is bound twice");
+    if (!touches(factor, open)) return;
+    bound.insert(factor.variables.begin(), factor.variables.end());
+    domain.factors.push_back(factor);
+    for (const std::string& v : factor.variables) open.erase(v);
+  };
+  for (const Simplex& factor : context.factors) use_factor(factor);
+  for (const std::string& line : context.lines)
+    if (open.erase(line)) lines.push_back(line);
+  for (const Parameter& parameter : evaluator.parameters) {
+    if (bound.contains(parameter.name)) continue;  // the context has it
+    if (parameter.set)
+      use_factor(*parameter.set);
+    else if (open.erase(parameter.name))
+      lines.push_back(parameter.name);
+  }
+  if (!open.empty())
+    fail(at, "the variable '" + *open.begin() + "' is not bound here",
+         "say 'for all " + *open.begin() + ":' or where it ranges");
+
+  if (relation == Relation::zero && domain.where.empty()) {
+    if (f.is_polynomial()) return symbolic::atom(symbolic::Zero{f}, about);
+    // A polynomial in a line's variable is 0 everywhere when it is on [0, 1].
+    const std::set<std::string> inside = under_roots(f);
+    std::erase_if(lines, [&](const std::string& line) {
+      if (inside.contains(line)) return false;
+      domain.factors.push_back(symbolic::interval(line, 0, 1));
+      return true;
+    });
+  }
+  if (lines.size() > 4)
+    throw Unsupported("an inequality for all values of more than four reals");
+  std::vector<symbolic::Domain> domains = {domain};
+  for (const std::string& line : lines) {
+    std::vector<symbolic::Domain> halves;
+    for (const symbolic::Domain& d : domains) {
+      halves.push_back(d);
+      halves.back().factors.push_back(symbolic::whole_line_left(line, 0, false));
+      halves.push_back(d);
+      halves.back().factors.push_back(symbolic::whole_line_right(line, 0, false));
+    }
+    domains = std::move(halves);
+  }
+  std::vector<Proposition> parts;
+  for (symbolic::Domain& d : domains)
+    parts.push_back(symbolic::atom(symbolic::Sign{f, relation, std::move(d)}, about));
+  return parts.size() == 1 ? parts.front() : symbolic::all(std::move(parts), about);
+}
+
+// The sign that the formula seems to have on the context: about that at some point inside.
+std::optional<exact::Sign> Stating::likely_sign(const Formula& f, const Context& context) {
+  for (const int weight : {1, 2, 3, 5, 8}) {
+    std::map<std::string, double> point;
+    const auto place = [&](const Simplex& factor) {
+      double total = 0;
+      std::vector<double> sum(factor.variables.size());
+      for (std::size_t c = 0; c < factor.corners.size(); ++c) {
+        const double share = c == 0 ? weight : 1;
+        const auto coordinate = [&](std::size_t i) {
+          return share * evaluator.numbers.approximate(factor.corners[c][i]);
+        };
+        total += coordinate(0);
+        for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += coordinate(i + 1);
+      }
+      for (std::size_t i = 0; i < sum.size(); ++i) point[factor.variables[i]] = sum[i] / total;
+    };
+    for (const Parameter& parameter : evaluator.parameters) {
+      if (parameter.set)
+        place(*parameter.set);
+      else
+        point[parameter.name] = weight;
+    }
+    for (const Simplex& factor : context.factors) place(factor);
+    for (const std::string& line : context.lines) point[line] = weight;
+    const double value = symbolic::approximate(f, point, evaluator.numbers);
+    if (std::abs(value) > 1e-9)
+      return value > 0 ? exact::Sign::positive : exact::Sign::negative;
+  }
+  return std::nullopt;
+}
+
+std::optional<exact::Sign> Stating::guard_divisor(const Formula& divisor,
+                                                  const Context& context,
+                                                  const Expression& at) {
+  const auto sign = context.where.empty() ? likely_sign(divisor, context) : std::nullopt;
+  const Relation relation = !sign                            ? Relation::nonzero
+                            : *sign == exact::Sign::positive ? Relation::positive
+                                                             : Relation::negative;
+  guards.push_back(holds(divisor, relation, context, at, "the divisor is not 0"));
+  return sign;
+}
+
+void Stating::guard(const Scalar& value, const Context& context, const Expression& at) {
+  for (const Formula& divisor : value.divisors) guard_divisor(divisor, context, at);
+  for (const Formula& radicand : value.radicands)
+    guards.push_back(
+        holds(radicand, Relation::nonnegative, context, at, "the radicand is not negative"));
+}
+
+// The sign that each factor of the denominator is stated to have; none where one is not. (Roots are
+// not negative, nor 0, for they were divided by.)
+std::optional<exact::Sign> Stating::guard_denominator(const Formula& denominator,
+                                                      const Context& context,
+                                                      const Expression& at) {
+  const symbolic::Factors all = symbolic::factors(denominator);
+  bool negative = all.constant < 0;
+  for (const auto& [factor, exponent] : all.powers) {
+    if (exponent % 2 == 0 || factor.kind() == Formula::Kind::root) continue;
+    const auto sign = guard_divisor(factor, context, at);
+    if (!sign) return std::nullopt;
+    negative ^= *sign == exact::Sign::negative;
+  }
+  return negative ? exact::Sign::negative : exact::Sign::positive;
+}
+
+Constraint Stating::compared(const Scalar& a, const std::string& operation, const Scalar& b,
+                             const Context& context, const Expression& at) {
+  return related(a - b, relation_of(operation), context, at);
+}
+
+Constraint Stating::related(const Scalar& difference, Relation relation, const Context& context,
+                            const Expression& at) {
+  guard(difference, context, at);
+  if (difference.denominator.is(1) || relation == Relation::zero ||
+      relation == Relation::nonzero)
+    return {difference.numerator, relation};
+  const auto sign = guard_denominator(difference.denominator, context, at);
+  if (!sign) return {difference.numerator * difference.denominator, relation};
+  return {difference.numerator, *sign == exact::Sign::positive ? relation : flipped(relation)};
+}
+
+}  // namespace seam::claims
