@@ -22,13 +22,13 @@ namespace {
 constexpr double better = 1e-10;  // relative: what counts as less
 
 // The ends of the set to choose from; none: infinite.
-struct Range {
+struct Choices {
   std::optional<Formula> low, high;
   bool open_low = false, open_high = false;
 };
 
-Range range_of(const Minimax& question) {
-  Range result;
+Choices range_of(const Minimax& question) {
+  Choices result;
   if (!question.range) return result;
   const auto& corners = question.range->corners;
   const auto& open = question.range->open;  // facet i is what lies opposite corner i
@@ -75,7 +75,7 @@ class Question {
   }
 
   // Numbers in the range at many distances from v, those below it first.
-  std::vector<Rational> samples(const Formula& v, const Range& range) const {
+  std::vector<Rational> samples(const Formula& v, const Choices& range) const {
     const Numbers& numbers = evaluator_.numbers;
     const double middle = numbers.approximate(v);
     const double infinity = std::numeric_limits<double>::infinity();
@@ -120,7 +120,7 @@ Proposition Stating::compare_minimax(const Expression& at, const Minimax& minima
 Proposition Stating::best_choice(const Expression& at, const Minimax& minimax,
                                  const Formula& v) {
   Numbers& numbers = evaluator.numbers;
-  const Range range = range_of(minimax);
+  const Choices range = range_of(minimax);
   // That a number is among the values to choose from; or else what shows that it is not.
   const auto among = [&](const Formula& a) {
     std::vector<Proposition> inside, outside;
