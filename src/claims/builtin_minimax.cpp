@@ -2,8 +2,8 @@
 #include "claims/builtin.h"
 
 // minimax(E for (u,v) in triangle, a in [1, 4]): the last name is the one that is chosen.
-// minimax(E, a, triangle): a is a parameter of the file, E is a formula in u and v (on an
-// interval: in u) or a function on a patch.
+// minimax(E, a, triangle): a is a parameter of the file, or a new name for any real number; E is a
+// formula in u and v (on an interval: in u) or a function on a patch.
 
 namespace seam::claims {
 namespace {
@@ -53,19 +53,26 @@ symbolic::Domain named_domain(const Call& call, Scope& inner) {
   return {{symbolic::standard_simplex(symbols)}, {}};
 }
 
+// The parameter of the file that the second argument names; none: the name is new, and stands for
+// every real number.
+const Parameter* chosen_parameter(const Call& call) {
+  if (call[1].kind != Expression::Kind::name) fail(call[1], "expected the name of a variable");
+  for (const Parameter& parameter : call.evaluator.parameters)
+    if (parameter.name == call[1].text) return &parameter;
+  if (call.evaluator.globals.contains(call[1].text))
+    fail(call[1], "expected a parameter of the file or a new name, found a value");
+  return nullptr;
+}
+
 Value over_parameter(const Call& call) {
-  const Parameter* parameter = nullptr;
-  const Value named = call.value(1);
-  if (const auto* scalar = named.as<Scalar>();
-      scalar && scalar->is_polynomial() && scalar->numerator.kind() == Formula::Kind::symbol)
-    for (const Parameter& p : call.evaluator.parameters)
-      if (p.name == scalar->numerator.name()) parameter = &p;
-  if (!parameter) fail(call[1], "expected a parameter of the file: 'param a in [1, 2]'");
+  const Parameter* parameter = chosen_parameter(call);
   Scope inner{&call.scope, {}};
+  const std::string name = call[1].text;
+  if (!parameter) inner.values[name] = {Scalar(Formula::symbol(name))};
   const symbolic::Domain domain = named_domain(call, inner);
   const Value error = call.evaluator.evaluate(call[0], inner);
   Minimax result;
-  result.unknown = call.evaluator.bind(parameter->name + "~best");
+  result.unknown = call.evaluator.bind(name + "~best");
   if (const auto* field = error.as<Field>()) {
     result.errors = {part_of(*field, call[0])};
     if (result.errors[0].domain.factors.size() != domain.factors.size())
@@ -74,8 +81,8 @@ Value over_parameter(const Call& call) {
     result.errors = {{as_scalar(call.evaluator, error, call[0]), domain}};
   }
   for (Extremum::Part& part : result.errors)
-    part.value = replaced(part.value, parameter->name, result.unknown, call.evaluator.numbers);
-  result.range = parameter->set;
+    part.value = replaced(part.value, name, result.unknown, call.evaluator.numbers);
+  if (parameter) result.range = parameter->set;
   if (result.range) result.range->variables = {result.unknown};
   return {result};
 }

@@ -104,6 +104,8 @@ void Reader::define(const Item& item) {
       definition.broken = true;
     } catch (const Unsupported& unsupported) {
       definition.unsupported = unsupported.what();
+    } catch (const symbolic::NumberLimit& limit) {
+      definition.unsupported = limit.what();
     } catch (const Broken&) {
       definition.broken = true;
     }
@@ -188,6 +190,8 @@ Lowered Reader::lower(const Expression& statement, const Scope& scope) {
     result.predicates = stated.predicates;
   } catch (const Unsupported& unsupported) {
     result.unsupported = unsupported.what();
+  } catch (const symbolic::NumberLimit& limit) {
+    result.unsupported = limit.what();
   } catch (const symbolic::NumberError& error) {
     report({statement.span, error.what(), {}});
   } catch (const symbolic::FormulaLimit& error) {

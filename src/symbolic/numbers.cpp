@@ -127,9 +127,11 @@ std::vector<std::size_t> united(const std::vector<std::size_t>& a,
   return all;
 }
 
-void require_small(const exact::RingPtr& ring, int degree) {
-  constexpr int max_degree = 64;
-  if (exact::dimension(ring->tower()) * degree > max_degree)
+constexpr int max_degree = 64;   // of a field
+constexpr int max_search = 160;  // of the norm of a polynomial that is to be factored
+
+void require_small(const exact::RingPtr& ring, int degree, int most = max_degree) {
+  if (exact::dimension(ring->tower()) * degree > most)
     throw NumberLimit("numbers of a field of degree over 64 are not covered");
 }
 
@@ -200,9 +202,10 @@ std::string Numbers::Forest::unused(const std::string& name) const {
 Formula Numbers::Forest::root_of(const Grown& in, const Univariate& squarefree,
                                  RootInterval where) {
   const exact::RingPtr ring = in.field.ring;
-  require_small(ring, exact::degree(squarefree));
+  require_small(ring, exact::degree(squarefree), max_search);
   const Univariate f = exact::irreducible_factor(squarefree, where);
   if (exact::degree(f) == 1) return formula(-f[0]);
+  require_small(ring, exact::degree(f));
   const Univariate cleared = ring->constant(common_denominator(f)) * f;
   const auto bracket = exact::bracket(f, where);
   const std::string name = unused(name_of(cleared));
