@@ -103,6 +103,27 @@ class Terms {
     }
   }
 
+  void operator()(const OnlySolutions& only) const {
+    demand_terms(only.system);
+    std::ranges::for_each(only.domain.factors, *this);
+    for (const Constraint& constraint : only.domain.where) demand_term(constraint.formula);
+    for (const auto& [numerators, denominators] : only.solutions) {
+      demand(numerators.size() == only.unknowns.size() &&
+                 denominators.size() == only.unknowns.size(),
+             "a solution has not one quotient for each unknown");
+      demand_terms(numerators);
+      demand_terms(denominators);
+    }
+  }
+
+  void operator()(const OneSolution& one) const {
+    demand_terms(one.system);
+    std::ranges::for_each(one.domain.factors, *this);
+    for (const Constraint& constraint : one.domain.where) demand_term(constraint.formula);
+    (*this)(Box{one.low, one.high});
+    demand(one.low.size() == one.unknowns.size(), "not one interval for each unknown");
+  }
+
   void operator()(const Gluing& gluing) const {
     for (const auto& sides : gluing.patches)
       for (const auto& [from, to] : sides) {
@@ -165,6 +186,47 @@ class Terms {
   void operator()(const WrongSolution& wrong) const {
     demand_term(wrong.value);
     demand(wrong.claimed >= -1, "a claimed solution of a negative index");
+  }
+
+  void operator()(const Combination& combination) const {
+    demand(combination.equations.size() == combination.cofactors.size(),
+           "not one cofactor for each equation");
+    demand_terms(combination.cofactors);
+  }
+
+  void operator()(const EliminationStep& step) const {
+    (*this)(step.combination);
+    for (const EliminationFactor& factor : step.factors) {
+      demand_term(factor.formula);
+      demand(factor.power >= 1 && factor.condition >= -1, "a factor with an index out of place");
+      std::ranges::for_each(factor.trees, *this);
+    }
+    demand_term(step.formula);
+    demand_term(step.remainder);
+    demand(step.index >= 0, "a step of a negative index");
+    std::ranges::for_each(step.positive, *this);
+    std::ranges::for_each(step.broken, *this);
+  }
+
+  void operator()(const Box& box) const {
+    demand(box.low.size() == box.high.size(), "a box with an interval of one end");
+    for (const auto* ends : {&box.low, &box.high})
+      demand(std::ranges::all_of(*ends, is_rational),
+             "the ends of an interval are not rational");
+  }
+
+  void operator()(const Isolation& isolation) const {
+    for (const auto& row : isolation.combination)
+      demand(std::ranges::all_of(row, is_rational), "an entry of a matrix is not rational");
+    (*this)(isolation.inner);
+    (*this)(isolation.outer);
+    for (const auto* trees :
+         {&isolation.faces, &isolation.conditions, &isolation.dominance, &isolation.cover})
+      std::ranges::for_each(*trees, *this);
+  }
+
+  void operator()(const Elimination& elimination) const {
+    std::ranges::for_each(elimination.steps, *this);
   }
 
  private:

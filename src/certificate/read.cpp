@@ -115,6 +115,30 @@ Solutions read_solutions(const Reader& in) {
           read_simplex(in["domain"]), in["solutions"].list(read_solution)};
 }
 
+OnlySolutions read_only_solutions(const Reader& in) {
+  in.members({"system", "unknowns", "for_all", "factors", "where", "solutions"});
+  const auto read_tuple = [](const Reader& tuple) {
+    tuple.members({"numerators", "denominators"});
+    return OnlySolutions::Tuple{tuple["numerators"].integers(),
+                                tuple["denominators"].integers()};
+  };
+  return {in["system"].integers(),
+          in["unknowns"].texts(),
+          in["for_all"].texts(),
+          {in["factors"].list(read_simplex), in["where"].list(read_constraint)},
+          in["solutions"].list(read_tuple)};
+}
+
+OneSolution read_one_solution(const Reader& in) {
+  in.members({"system", "unknowns", "for_all", "factors", "where", "low", "high"});
+  return {in["system"].integers(),
+          in["unknowns"].texts(),
+          in["for_all"].texts(),
+          {in["factors"].list(read_simplex), in["where"].list(read_constraint)},
+          in["low"].texts(),
+          in["high"].texts()};
+}
+
 Gluing::Side read_side(const Reader& in) {
   const std::vector<int> ends = in.integers();
   if (ends.size() != 2) in.fail("two corners");
@@ -138,6 +162,8 @@ Obligation read_obligation(const Reader& in) {
   if (kind == "zero") return Zero{in["zero"].integer()};
   if (kind == "sign") return read_sign(in["sign"]);
   if (kind == "solutions") return read_solutions(in["solutions"]);
+  if (kind == "only_solutions") return read_only_solutions(in["only_solutions"]);
+  if (kind == "one_solution") return read_one_solution(in["one_solution"]);
   if (kind == "gluing") return read_gluing(in["gluing"]);
   return Distinct{in["distinct"].list([](const Reader& tuple) { return tuple.integers(); })};
 }
@@ -269,6 +295,61 @@ SignProof read_sign_proof(const Reader& in) {
   return read_tree(in);
 }
 
+Combination read_combination(const Reader& in) {
+  in.members({"equations", "cofactors"});
+  return {in["equations"].integers(), in["cofactors"].integers()};
+}
+
+EliminationFactor read_elimination_factor(const Reader& in) {
+  in.members({"formula", "power", "condition", "trees"});
+  return {in["formula"].integer(), in["power"].integer(), in["condition"].integer(),
+          in["trees"].list(read_pieces)};
+}
+
+EliminationStep read_elimination_step(const Reader& in) {
+  EliminationStep step;
+  if (in.has("product")) {
+    in.members({"combination", "product"});
+    step.combination = read_combination(in["combination"]);
+    step.factors = in["product"].list(read_elimination_factor);
+  } else if (in.has("cases")) {
+    in.members({"cases"});
+    step.kind = EliminationStep::Kind::cases;
+    step.formula = in["cases"].integer();
+  } else if (in.has("solution")) {
+    in.members({"solution", "equations"});
+    step.kind = EliminationStep::Kind::solution;
+    step.index = in["solution"].integer();
+    step.equations = in["equations"].integers();
+  } else {
+    in.members({"outside", "multiplier", "combination", "remainder", "positive", "broken"});
+    step.kind = EliminationStep::Kind::outside;
+    step.index = in["outside"].integer();
+    step.formula = in["multiplier"].integer();
+    step.combination = read_combination(in["combination"]);
+    step.remainder = in["remainder"].integer();
+    step.positive = in["positive"].list(read_pieces);
+    step.broken = in["broken"].list(read_pieces);
+  }
+  return step;
+}
+
+Box read_box(const Reader& in) {
+  in.members({"low", "high"});
+  return {in["low"].texts(), in["high"].texts()};
+}
+
+Isolation read_isolation(const Reader& in) {
+  in.members({"combination", "inner", "outer", "faces", "conditions", "dominance", "cover"});
+  return {in["combination"].list([](const Reader& row) { return row.texts(); }),
+          read_box(in["inner"]),
+          read_box(in["outer"]),
+          in["faces"].list(read_pieces),
+          in["conditions"].list(read_pieces),
+          in["dominance"].list(read_pieces),
+          in["cover"].list(read_pieces)};
+}
+
 Proof read_proof(const Reader& in) {
   if (in.is_text()) return read_computation(in);
   if (is_reduction(in)) return read_reduction(in);
@@ -277,6 +358,8 @@ Proof read_proof(const Reader& in) {
   if (kind == "pieces") return read_pieces(in["pieces"]);
   if (kind == "witness") return read_witness(in["witness"]);
   if (kind == "roots") return read_roots(in["roots"]);
+  if (kind == "elimination") return Elimination{in["elimination"].list(read_elimination_step)};
+  if (kind == "isolation") return read_isolation(in["isolation"]);
   return read_wrong_solution(in["wrong_solution"]);
 }
 

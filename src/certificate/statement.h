@@ -121,6 +121,38 @@ struct Solutions {
   bool operator==(const Solutions&) const = default;
 };
 
+/// At every point of (the domain) x (every real value of those unknowns that belong to no factor of
+/// it) that meets the conditions of the domain and at which every formula of `system` vanishes for
+/// all real values of the variables `for_all`, the unknowns x are one of `solutions`:
+/// denominators[j] * x_j = numerators[j] for all j, for one of them. Those are formulas in the
+/// variables of factors that are no unknowns, the parameters; the conditions may hold unknowns.
+struct OnlySolutions {
+  struct Tuple {
+    std::vector<Term> numerators, denominators;  ///< one an unknown
+    bool operator==(const Tuple&) const = default;
+  };
+  std::vector<Term> system;
+  std::vector<std::string> unknowns;
+  std::vector<std::string> for_all;
+  Domain domain;
+  std::vector<Tuple> solutions;
+
+  bool operator==(const OnlySolutions&) const = default;
+};
+
+/// Exactly one point of the domain meets its conditions and makes every formula of `system` vanish for all
+/// real values of the variables `for_all`; there low[j] <= unknowns[j] <= high[j]. The variables of the
+/// factors are the unknowns.
+struct OneSolution {
+  std::vector<Term> system;
+  std::vector<std::string> unknowns;
+  std::vector<std::string> for_all;
+  Domain domain;
+  std::vector<std::string> low, high;  ///< rationals
+
+  bool operator==(const OneSolution&) const = default;
+};
+
 /// Patches glued along sides. Patch i is a disc whose corners are numbered from 0 to
 /// its count less 1 and whose side s runs from corner `from` to corner `to`.
 /// Says: every side lies on exactly one seam, the whole is connected, and
@@ -149,7 +181,8 @@ struct Distinct {
   bool operator==(const Distinct&) const = default;
 };
 
-using Obligation = std::variant<Zero, Sign, Solutions, Gluing, Distinct>;
+using Obligation =
+    std::variant<Zero, Sign, Solutions, OnlySolutions, OneSolution, Gluing, Distinct>;
 
 /// A combination of obligations. `all` of nothing holds; `any` of nothing fails.
 struct Goal {

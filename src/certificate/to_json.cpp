@@ -107,6 +107,31 @@ Json to_json(const Solutions& solutions) {
             {"solutions", list(solutions.solutions)}}}};
 }
 
+Json to_json(const OnlySolutions::Tuple& tuple) {
+  return {{"numerators", list(tuple.numerators)}, {"denominators", list(tuple.denominators)}};
+}
+
+Json to_json(const OnlySolutions& only) {
+  return {{"only_solutions",
+           {{"system", list(only.system)},
+            {"unknowns", list(only.unknowns)},
+            {"for_all", list(only.for_all)},
+            {"factors", list(only.domain.factors)},
+            {"where", list(only.domain.where)},
+            {"solutions", list(only.solutions)}}}};
+}
+
+Json to_json(const OneSolution& one) {
+  return {{"one_solution",
+           {{"system", list(one.system)},
+            {"unknowns", list(one.unknowns)},
+            {"for_all", list(one.for_all)},
+            {"factors", list(one.domain.factors)},
+            {"where", list(one.domain.where)},
+            {"low", list(one.low)},
+            {"high", list(one.high)}}}};
+}
+
 Json to_json(const Gluing& gluing) {
   return {{"gluing",
            {{"patches", list(gluing.patches)},
@@ -207,6 +232,62 @@ Json to_json(const Roots& roots) {
 
 Json to_json(const WrongSolution& wrong) {
   return {{"wrong_solution", {{"value", wrong.value}, {"claimed", wrong.claimed}}}};
+}
+
+// Trees stand bare: there is nothing else that they could be.
+Json trees(const std::vector<Pieces>& entries) {
+  Json values = Json::array();
+  for (const Pieces& tree : entries) values.push_back(members(tree));
+  return values;
+}
+
+Json to_json(const Combination& combination) {
+  return {{"equations", list(combination.equations)}, {"cofactors", list(combination.cofactors)}};
+}
+
+Json to_json(const EliminationFactor& factor) {
+  return {{"formula", factor.formula},
+          {"power", factor.power},
+          {"condition", factor.condition},
+          {"trees", trees(factor.trees)}};
+}
+
+Json to_json(const EliminationStep& step) {
+  switch (step.kind) {
+    case EliminationStep::Kind::product:
+      return {{"combination", to_json(step.combination)}, {"product", list(step.factors)}};
+    case EliminationStep::Kind::cases:
+      return {{"cases", step.formula}};
+    case EliminationStep::Kind::solution:
+      return {{"solution", step.index}, {"equations", list(step.equations)}};
+    case EliminationStep::Kind::outside:
+      return {{"outside", step.index},
+              {"multiplier", step.formula},
+              {"combination", to_json(step.combination)},
+              {"remainder", step.remainder},
+              {"positive", trees(step.positive)},
+              {"broken", trees(step.broken)}};
+  }
+  throw FormatError("a step of no kind");
+}
+
+Json to_json(const Elimination& elimination) {
+  return {{"elimination", list(elimination.steps)}};
+}
+
+Json to_json(const Box& box) {
+  return {{"low", list(box.low)}, {"high", list(box.high)}};
+}
+
+Json to_json(const Isolation& isolation) {
+  return {{"isolation",
+           {{"combination", list(isolation.combination)},
+            {"inner", to_json(isolation.inner)},
+            {"outer", to_json(isolation.outer)},
+            {"faces", trees(isolation.faces)},
+            {"conditions", trees(isolation.conditions)},
+            {"dominance", trees(isolation.dominance)},
+            {"cover", trees(isolation.cover)}}}};
 }
 
 template <typename... Kinds>

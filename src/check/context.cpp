@@ -33,6 +33,15 @@ std::vector<std::string> declared_variables(const Statement& statement) {
       append(solutions->for_all);
       append({solutions->unknown});
     }
+    const auto append_system = [&](const auto& stated) {
+      for (const auto& factor : stated.domain.factors) append(factor.variables);
+      append(stated.for_all);
+      append(stated.unknowns);
+    };
+    if (const auto* only = std::get_if<certificate::OnlySolutions>(&obligation))
+      append_system(*only);
+    if (const auto* one = std::get_if<certificate::OneSolution>(&obligation))
+      append_system(*one);
   }
   return names;
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later OR BSL-1.0
 #include <algorithm>
-#include <iterator>
 #include <optional>
 #include <utility>
 
 #include "check/point.h"
 #include "check/relation.h"
 #include "check/rules.h"
+#include "check/system.h"
 
 // Why the roots in the domain are those claimed.
 //
@@ -62,26 +62,6 @@ std::pair<End, End> ends(const Problem& problem) {
           {domain.corners[right], domain.open[left]}};
 }
 
-// In the order that `certificate::Roots` lays down.
-std::vector<Polynomial> coefficients(Context& context, const Polynomial& formula,
-                                     const std::vector<int>& variables) {
-  std::map<std::vector<int>, Polynomial> parts = {{{}, formula}};
-  for (const int variable : variables) {
-    std::map<std::vector<int>, Polynomial> finer;
-    for (const auto& [exponents, part] : parts)
-      for (auto& [e, coefficient] : by_exponent(part, variable, context.meter())) {
-        std::vector<int> longer = exponents;
-        longer.push_back(e);
-        finer.emplace(std::move(longer), std::move(coefficient));
-      }
-    parts = std::move(finer);
-  }
-  std::vector<Polynomial> result;
-  for (auto& [exponents, part] : parts)
-    if (!part.is_zero()) result.push_back(std::move(part));
-  return result;
-}
-
 Problem read_problem(Context& context, const Solutions& stated) {
   demand(context.functions(stated.system).empty(), "unsupported: a system with functions");
   Problem problem{context.variable(stated.unknown), {}, {}};
@@ -89,16 +69,7 @@ Problem read_problem(Context& context, const Solutions& stated) {
          "degenerate: the domain is not one of the unknown");
   if (!stated.domain.corners.empty())
     problem.domain = make_region(context, {{stated.domain}, {}}).factors.front();
-  std::vector<int> for_all;
-  for (const std::string& name : stated.for_all) for_all.push_back(context.variable(name));
-  std::set<int> all = context.variables(stated.for_all);
-  demand(all.insert(problem.unknown).second, "degenerate: the unknown is bound twice");
-  for (const Term term : stated.system) {
-    const Polynomial formula = context.value(term);
-    demand(context.depends_only_on(formula, all), "degenerate: a variable that is not bound");
-    std::ranges::move(coefficients(context, formula, for_all),
-                      std::back_inserter(problem.system));
-  }
+  problem.system = read_system(context, stated.system, stated.for_all, {problem.unknown});
   return problem;
 }
 

@@ -11,6 +11,8 @@ namespace seam::check {
 bool decide(Context&, const certificate::Zero&, const certificate::Proof&);
 bool decide(Context&, const certificate::Sign&, const certificate::Proof&);
 bool decide(Context&, const certificate::Solutions&, const certificate::Proof&);
+bool decide(Context&, const certificate::OnlySolutions&, const certificate::Proof&);
+bool decide(Context&, const certificate::OneSolution&, const certificate::Proof&);
 bool decide(Context&, const certificate::Gluing&, const certificate::Proof&);
 bool decide(Context&, const certificate::Distinct&, const certificate::Proof&);
 

@@ -59,26 +59,21 @@ std::set<std::string> under_roots(const Formula& f) {
 
 }  // namespace
 
-Proposition Stating::holds(const Formula& f, Relation relation, const Context& context,
-                           const Expression& at, const std::string& about) {
+Stating::Range Stating::range(const std::set<std::string>& variables, const Context& context,
+                              const Expression& at) {
   for (const Constraint& constraint : context.where)
     if (symbolic::variables(constraint.formula).empty())
       throw Unsupported("a condition without variables");
-  std::set<std::string> open = symbolic::variables(f);
+  std::set<std::string> open = variables;
   for (const Constraint& constraint : context.where)
     open.merge(symbolic::variables(constraint.formula));
-  if (open.empty() && context.where.empty()) {
-    if (relation == Relation::zero) return symbolic::atom(symbolic::Zero{f}, about);
-    return symbolic::atom(symbolic::Sign{f, relation, {}}, about);
-  }
-
-  symbolic::Domain domain;
+  Range result;
+  auto& [domain, lines] = result;
   domain.where = context.where;
-  std::vector<std::string> lines;
   std::set<std::string> bound;
   const auto use_factor = [&](const Simplex& factor) {
     for (const std::string& v : factor.variables)
-      if (bound.contains(v) && symbolic::variables(f).contains(v))
+      if (bound.contains(v) && variables.contains(v))
         throw Unsupported("a variable that is bound twice");
     if (!touches(factor, open)) return;
     bound.insert(factor.variables.begin(), factor.variables.end());
@@ -98,21 +93,14 @@ Proposition Stating::holds(const Formula& f, Relation relation, const Context& c
   if (!open.empty())
     fail(at, "the variable '" + *open.begin() + "' is not bound here",
          "say 'for all " + *open.begin() + ":' or where it ranges");
+  return result;
+}
 
-  if (relation == Relation::zero && domain.where.empty()) {
-    if (f.is_polynomial()) return symbolic::atom(symbolic::Zero{f}, about);
-    // A polynomial in a line's variable is 0 everywhere when it is on [0, 1].
-    const std::set<std::string> inside = under_roots(f);
-    std::erase_if(lines, [&](const std::string& line) {
-      if (inside.contains(line)) return false;
-      domain.factors.push_back(symbolic::interval(line, 0, 1));
-      return true;
-    });
-  }
-  if (lines.size() > 4)
+std::vector<symbolic::Domain> Stating::halved(const Range& range) {
+  if (range.lines.size() > 4)
     throw Unsupported("an inequality for all values of more than four reals");
-  std::vector<symbolic::Domain> domains = {domain};
-  for (const std::string& line : lines) {
+  std::vector<symbolic::Domain> domains = {range.domain};
+  for (const std::string& line : range.lines) {
     std::vector<symbolic::Domain> halves;
     for (const symbolic::Domain& d : domains) {
       halves.push_back(d);
@@ -122,8 +110,29 @@ Proposition Stating::holds(const Formula& f, Relation relation, const Context& c
     }
     domains = std::move(halves);
   }
+  return domains;
+}
+
+std::vector<symbolic::Domain> Stating::domains(const std::set<std::string>& variables,
+                                               const Context& context, const Expression& at) {
+  return halved(range(variables, context, at));
+}
+
+Proposition Stating::holds(const Formula& f, Relation relation, const Context& context,
+                           const Expression& at, const std::string& about) {
+  Range range = this->range(symbolic::variables(f), context, at);
+  if (relation == Relation::zero && range.domain.where.empty()) {
+    if (f.is_polynomial()) return symbolic::atom(symbolic::Zero{f}, about);
+    // A polynomial in a line's variable is 0 everywhere when it is on [0, 1].
+    const std::set<std::string> inside = under_roots(f);
+    std::erase_if(range.lines, [&](const std::string& line) {
+      if (inside.contains(line)) return false;
+      range.domain.factors.push_back(symbolic::interval(line, 0, 1));
+      return true;
+    });
+  }
   std::vector<Proposition> parts;
-  for (symbolic::Domain& d : domains)
+  for (symbolic::Domain& d : halved(range))
     parts.push_back(symbolic::atom(symbolic::Sign{f, relation, std::move(d)}, about));
   return parts.size() == 1 ? parts.front() : symbolic::all(std::move(parts), about);
 }

@@ -137,6 +137,30 @@ class Exporter {
       result.solutions.push_back({-1, low.get_str(), high.get_str()});
     return result;
   }
+  certificate::Obligation obligation(const symbolic::OnlySolutions& s) {
+    certificate::OnlySolutions result;
+    result.system = terms(s.system);
+    result.unknowns = s.unknowns;
+    result.for_all = s.for_all;
+    result.domain = domain(s.domain);
+    for (const auto& solution : s.solutions) {
+      auto& [numerators, denominators] = result.solutions.emplace_back();
+      for (const auto& [numerator, denominator] : solution) {
+        numerators.push_back(term(numerator));
+        denominators.push_back(term(denominator));
+      }
+    }
+    return result;
+  }
+  certificate::Obligation obligation(const symbolic::OneSolution& s) {
+    certificate::OneSolution result{
+        terms(s.system), s.unknowns, s.for_all, domain(s.domain), {}, {}};
+    for (const auto& [low, high] : s.near) {
+      result.low.push_back(low.get_str());
+      result.high.push_back(high.get_str());
+    }
+    return result;
+  }
   certificate::Obligation obligation(const certificate::Gluing& g) { return g; }
   certificate::Obligation obligation(const symbolic::Distinct& d) {
     certificate::Distinct result;
@@ -248,6 +272,19 @@ class Exporter {
     gather(s.domain);
     gather(s.exact);
   }
+  void gather(const symbolic::OnlySolutions& s) {
+    gather(s.system);
+    gather(s.domain);
+    for (const auto& solution : s.solutions)
+      for (const auto& [numerator, denominator] : solution) {
+        gather(numerator);
+        gather(denominator);
+      }
+  }
+  void gather(const symbolic::OneSolution& s) {
+    gather(s.system);
+    gather(s.domain);
+  }
   void gather(const certificate::Gluing&) {}
   void gather(const symbolic::Distinct& d) {
     for (const Point& tuple : d.tuples) gather(tuple);
@@ -285,6 +322,17 @@ class Exporter {
   }
   static std::string describe(const symbolic::Solutions& s) {
     return std::to_string(s.exact.size() + s.near.size()) + " solutions in " + s.unknown;
+  }
+  static std::string joined(const std::vector<std::string>& unknowns) {
+    std::string names;
+    for (const std::string& unknown : unknowns) names += (names.empty() ? "" : ", ") + unknown;
+    return names;
+  }
+  static std::string describe(const symbolic::OnlySolutions& s) {
+    return std::to_string(s.solutions.size()) + " solutions in " + joined(s.unknowns);
+  }
+  static std::string describe(const symbolic::OneSolution& s) {
+    return "one solution in " + joined(s.unknowns);
   }
   static std::string describe(const certificate::Gluing& g) {
     return std::to_string(g.patches.size()) + " patches, " + std::to_string(g.seams.size()) +

@@ -46,7 +46,8 @@ Proposition Stating::state(const Expression& e, const Scope& scope, const Contex
     case Kind::truncated:
       return relation(e, scope, context, positive);
     case Kind::solve: {
-      if (!context.empty()) throw Unsupported("'solve' under a quantifier is not covered");
+      if (!context.empty() && !positive)
+        throw Unsupported("'not solve' for all parameters is not covered");
       Proposition p = solved(e, scope, context);
       return positive ? p : symbolic::negation(std::move(p));
     }
@@ -96,6 +97,15 @@ static void collect(const Proposition& p, std::set<std::string>& found) {
   if (const auto* sign = std::get_if<symbolic::Sign>(&p.atom)) {
     add(sign->formula);
     for (const auto& constraint : sign->domain.where) add(constraint.formula);
+  }
+  if (const auto* only = std::get_if<symbolic::OnlySolutions>(&p.atom)) {
+    std::ranges::for_each(only->system, add);
+    for (const auto& constraint : only->domain.where) add(constraint.formula);
+    for (const auto& solution : only->solutions)
+      for (const auto& [numerator, denominator] : solution) {
+        add(numerator);
+        add(denominator);
+      }
   }
 }
 

@@ -43,6 +43,9 @@ class Stating {
                     const std::string& about = {});
   /// States as guards what a value rests on: divisors that are not 0, radicands not negative.
   void guard(const Scalar&, const Context&, const Expression& at);
+  /// What these variables and those of the conditions range over; all reals in halves.
+  std::vector<symbolic::Domain> domains(const std::set<std::string>& variables, const Context&,
+                                        const Expression& at);
   /// `a operation b` as `formula relation 0`, with guards for the divisors.
   symbolic::Constraint related(const Scalar& difference, Relation, const Context&,
                                const Expression& at);
@@ -73,6 +76,13 @@ class Stating {
   std::set<std::string> predicates;
 
  private:
+  /// A domain, and variables beside it that range over all reals.
+  struct Range {
+    symbolic::Domain domain;
+    std::vector<std::string> lines;
+  };
+  Range range(const std::set<std::string>& variables, const Context&, const Expression& at);
+  static std::vector<symbolic::Domain> halved(const Range&);
   Proposition compare(const Expression&, const Value& a, const std::string& operation,
                       const Value& b, const Context&, bool positive);
   Proposition compare_extremum(const Expression&, const Extremum&, const std::string& operation,

@@ -2,7 +2,10 @@
 #include "cli/outcome.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iomanip>
 #include <map>
+#include <sstream>
 
 #include "certificate/json.h"
 #include "check/judge.h"
@@ -79,7 +82,8 @@ const char* negated_sign(certificate::Relation relation) {
 }
 
 std::string kind_of(const certificate::Obligation& obligation) {
-  static const char* const names[] = {"zero", "sign", "solutions", "gluing", "distinct"};
+  static const char* const names[] = {"zero",      "sign",   "solutions", "solutions",
+                                      "solutions", "gluing", "distinct"};
   return names[obligation.index()];
 }
 
@@ -111,7 +115,28 @@ Summary summary_of(const certificate::Obligation& obligation, const certificate:
     return {"witness", "witness " + point_text(witness->point, formulas)};
   if (std::holds_alternative<certificate::Roots>(proof))
     return {"roots", "greatest common divisor and its roots"};
+  if (std::holds_alternative<certificate::Isolation>(proof))
+    return {"isolation", "a box that holds a solution"};
+  if (const auto* elimination = std::get_if<certificate::Elimination>(&proof))
+    return {"elimination",
+            "elimination, " + std::to_string(elimination->steps.size()) +
+                (elimination->steps.size() == 1 ? " step" : " steps")};
   return {"witness", "a wrong solution"};
+}
+
+// What an isolation refutes by: where a solution is that is not in the box of the statement.
+std::string isolated(const certificate::OneSolution& stated,
+                     const certificate::Isolation& found) {
+  if (found.inner.low.empty()) return "there is no solution";
+  std::string result;
+  for (std::size_t j = 0; j < stated.unknowns.size(); ++j) {
+    std::ostringstream ends;
+    ends << std::fixed << std::setprecision(6)
+         << std::floor(exact::Rational(found.inner.low[j]).get_d() * 1e6) / 1e6 << ", "
+         << std::ceil(exact::Rational(found.inner.high[j]).get_d() * 1e6) / 1e6;
+    result += (j == 0 ? "" : ", ") + stated.unknowns[j] + " in [" + ends.str() + "]";
+  }
+  return "a solution with " + result;
 }
 
 // What refutes: the point of the first obligation that fails by one, and the relation that
@@ -130,7 +155,11 @@ std::string witness_of(const Statement& statement, const Evidence& evidence,
       const std::string value = number_text(formulas(wrong->value), 200);
       return wrong->claimed < 0 ? value + " is a solution too" : value + " is no solution";
     }
+    if (const auto* box = std::get_if<certificate::Isolation>(&evidence.proofs[i]))
+      return isolated(std::get<certificate::OneSolution>(statement.obligations[i]), *box);
     if (const auto* witness = std::get_if<certificate::Witness>(&evidence.proofs[i])) {
+      if (std::holds_alternative<certificate::OnlySolutions>(statement.obligations[i]))
+        return point_text(witness->point, formulas) + " is a solution too";
       const auto* sign = std::get_if<certificate::Sign>(&statement.obligations[i]);
       const Formula formula = formulas(
           sign ? sign->formula : std::get<certificate::Zero>(statement.obligations[i]).formula);

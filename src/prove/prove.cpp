@@ -20,6 +20,12 @@ struct Strategy {
   Proof operator()(const certificate::Solutions& o) const {
     return prove_solutions(workshop, o);
   }
+  Proof operator()(const certificate::OnlySolutions& o) const {
+    return prove_only_solutions(workshop, o);
+  }
+  Proof operator()(const certificate::OneSolution& o) const {
+    return prove_one_solution(workshop, o);
+  }
   Proof operator()(const certificate::Gluing&) const { return prove_by_computation(); }
   Proof operator()(const certificate::Distinct&) const { return prove_by_computation(); }
 };

@@ -26,6 +26,9 @@ class SignProver {
 
 certificate::Proof prove_solutions(Workshop&, const certificate::Solutions&);
 
+certificate::Proof prove_only_solutions(Workshop&, const certificate::OnlySolutions&);
+certificate::Proof prove_one_solution(Workshop&, const certificate::OneSolution&);
+
 /// A finite count: the checker does it.
 certificate::Proof prove_by_computation();
 

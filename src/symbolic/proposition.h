@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -60,6 +61,19 @@ struct Solutions {
   std::vector<Formula> exact;                                     ///< either these
   std::vector<std::pair<exact::Rational, exact::Rational>> near;  ///< or these
 };
+struct OnlySolutions {
+  std::vector<Formula> system;
+  std::vector<std::string> unknowns, for_all;
+  Domain domain;
+  /// By solution and unknown: numerator and denominator.
+  std::vector<std::vector<std::pair<Formula, Formula>>> solutions;
+};
+struct OneSolution {
+  std::vector<Formula> system;
+  std::vector<std::string> unknowns, for_all;
+  Domain domain;
+  std::vector<std::pair<exact::Rational, exact::Rational>> near;  ///< one an unknown
+};
 struct Distinct {
   std::vector<Point> tuples;
 };
@@ -71,13 +85,13 @@ struct Proposition {
   Kind kind = Kind::all;
   std::string about;
   std::vector<Proposition> parts;
-  std::variant<Zero, Sign, Solutions, Gluing, Distinct> atom;
+  std::variant<Zero, Sign, Solutions, OnlySolutions, OneSolution, Gluing, Distinct> atom;
 };
 
 Proposition all(std::vector<Proposition> parts, std::string about = {});
 Proposition any(std::vector<Proposition> parts, std::string about = {});
 Proposition negation(Proposition part, std::string about = {});
-Proposition atom(std::variant<Zero, Sign, Solutions, Gluing, Distinct> statement,
+Proposition atom(std::variant<Zero, Sign, Solutions, OnlySolutions, OneSolution, Gluing, Distinct> statement,
                  std::string about = {});
 
 Proposition truth();      ///< all of nothing

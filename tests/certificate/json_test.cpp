@@ -11,6 +11,28 @@
 namespace seam::certificate {
 namespace {
 
+// One step of every kind.
+Elimination elimination() {
+  const Pieces tree{{{}}, Relation::negative, -1, -1};
+  Elimination result;
+  result.steps.resize(4);
+  result.steps[0].combination = {{0, 2}, {1, 3}};
+  result.steps[0].factors = {{2, 1, -1, {tree}}, {3, 2, -1, {}}, {4, 1, 0, {}}};
+  result.steps[1].kind = EliminationStep::Kind::cases;
+  result.steps[1].formula = 5;
+  result.steps[2].kind = EliminationStep::Kind::solution;
+  result.steps[2].index = 1;
+  result.steps[2].equations = {3};
+  result.steps[3].kind = EliminationStep::Kind::outside;
+  result.steps[3].index = 1;
+  result.steps[3].formula = 2;
+  result.steps[3].combination = {{1}, {4}};
+  result.steps[3].remainder = 6;
+  result.steps[3].positive = {tree, tree};
+  result.steps[3].broken = {tree};
+  return result;
+}
+
 // One entry of every kind.
 Certificate example() {
   Certificate c;
@@ -31,7 +53,9 @@ Certificate example() {
       Gluing{{{{0, 1}, {1, 0}}, {{0, 1}, {1, 0}}}, {{0, 0, 1, 0, true}, {0, 1, 1, 1}}, 2},
       Distinct{{{0, 1}, {1, 0}}},
       Zero{0},
-      Sign{1, Relation::zero, {}}};
+      Sign{1, Relation::zero, {}},
+      OnlySolutions{{2}, {"v"}, {"w"}, {{segment}, {{5, Relation::positive}}}, {{{3}, {0}}}},
+      OneSolution{{2}, {"u"}, {"w"}, {{segment}, {{5, Relation::positive}}}, {"0"}, {"1/2"}}};
   s.guards = {0, 3};
   s.goal = {Goal::Kind::all,
             {{Goal::Kind::obligation, {}, 0},
@@ -59,7 +83,10 @@ Certificate example() {
                        Nothing{"time", "no more"},
                        Witness{point, {point}},
                        WrongSolution{3, -1},
-                       nested};
+                       nested,
+                       elimination(),
+                       Isolation{{{"1/2"}}, {{"0"}, {"1/3"}}, {{"-1"}, {"2"}}, {pieces, square},
+                                 {pieces}, {square}, {pieces, pieces}}};
   return c;
 }
 
@@ -99,7 +126,7 @@ TEST(Json, lines_are_short_however_long_the_lists) {
   for (int i = 0; i < 1000; ++i) c.statement.nodes.push_back({Node::Kind::sum, {}, {i, 0}, 0});
   c.evidence.nodes.clear();
   c.evidence.generators.clear();
-  c.evidence.proofs.assign(7, Nothing{});
+  c.evidence.proofs.assign(c.statement.obligations.size(), Nothing{});
   const std::string text = write(c);
   EXPECT_EQ(read(text), c);
   std::size_t start = 0;
