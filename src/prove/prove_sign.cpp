@@ -148,7 +148,8 @@ Proof SignProver::prove(const certificate::Sign& sign) {
   const Polynomial f = proof.f();
   for (const Settled& s : settled_)
     if (s.sign.relation == sign.relation && s.sign.domain == sign.domain &&
-        s.f.ring().tower() == f.ring().tower() && s.f == f)
+        s.f.ring().tower() == f.ring().tower() &&
+        s.f.ring().variables() == f.ring().variables() && s.f == f)
       return s.proof;
   settled_.push_back({sign, f, proof.prove(sign.relation)});
   return settled_.back().proof;

@@ -207,6 +207,21 @@ TEST(Cases, a_condition_of_a_case_holds_in_that_case_alone) {
   EXPECT_OPEN(k.finding(shown), "a condition that is none");
 }
 
+TEST(Cases, a_case_that_does_not_occur_shows_everything) {
+  for (const char* low : {"0", "-1"}) {
+    Case k;  // x >= 0 by the condition of the first case; the second is empty if low = 0
+    const Term x = k.symbol("x");
+    k.claim(Sign{x, nonnegative, {{k.segment("x", low)}, {}}});
+    k.evidence_begins();
+    const Reduction above{combination, {k.number(1)}, {0}, {Computation{}, Computation{}}};
+    const Finding found = k.finding(Reduction{cases, {x}, {}, {above, pieces({outside(0)})}});
+    if (low[0] == '0')
+      EXPECT_HOLDS(found);
+    else
+      EXPECT_OPEN(found, "not seen to be broken");
+  }
+}
+
 TEST(Combination, an_equation_may_be_added_any_number_of_times) {
   for (const auto& [relation, holds] : std::vector<std::pair<Relation, bool>>{
            {zero, true}, {nonnegative, false}, {nonzero, false}}) {
