@@ -36,12 +36,6 @@ std::string with(const std::string& text, const Expression& e, Level wanted) {
   return text + lay_out(pieces(e, wanted), width(line), deeper);
 }
 
-std::string list(std::string text, const std::vector<Expression>& all, Level wanted) {
-  for (std::size_t i = 0; i < all.size(); ++i)
-    text = with(i > 0 ? text.append(", ") : text, all[i], wanted);
-  return text;
-}
-
 std::string parameters(const Item& item) {
   return item.parameters.empty() ? "" : enclosed('(', joined(item.parameters), ')');
 }
@@ -122,7 +116,12 @@ std::string table(const Item& item) {
     text = with(text, row.value, Level::range);
     const std::size_t written = width(format(row.value));
     text += std::string(value_width > written ? value_width - written : 0, ' ') + " ~ ";
-    text = list(text, row.printed, Level::range) + (row.truncated ? " truncated" : "");
+    for (std::size_t k = 0; k < row.printed.size(); ++k) {
+      text = with(k > 0 ? text.append(", ") : text, row.printed[k], Level::range);
+      if (const auto right = row.corrected.find(k); right != row.corrected.end())
+        text = with(text + " corrected ", right->second, Level::range);
+    }
+    if (row.truncated) text += " truncated";
   }
   return text;
 }

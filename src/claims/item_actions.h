@@ -165,6 +165,13 @@ struct action<printed_value> {
   static void apply0(Builder& b) { b.item.rows.back().printed.push_back(b.take()); }
 };
 template <>
+struct action<right_value> {
+  static void apply0(Builder& b) {
+    Item::Row& row = b.item.rows.back();
+    row.corrected.emplace(row.printed.size() - 1, b.take());
+  }
+};
+template <>
 struct action<row_cut_off> {
   static void apply0(Builder& b) { b.item.rows.back().truncated = true; }
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -89,6 +90,7 @@ struct Item {
     std::string label;
     Expression value;
     std::vector<Expression> printed;
+    std::map<std::size_t, Expression> corrected;  ///< by the number of the cell
     bool truncated = false;
   };
   std::vector<Row> rows;                   ///< table

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "claims/greek.h"
 #include "claims/item_reader.h"
 
 // A cell of a table is a claim: the expression of its row for the value of its column, compared
@@ -10,7 +11,7 @@ namespace {
 // What may stand in an id; everything else becomes a hyphen.
 std::string slug(const std::string& label) {
   std::string result;
-  for (const char c : label) {
+  for (const char c : spelled_out(label)) {
     const bool fine = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
                       (c >= '0' && c <= '9') || c == '_' || c == '-';
     if (fine)
@@ -62,10 +63,15 @@ void Reader::table(const Item& item) {
                   (column_label.empty() ? std::to_string(k + 1) : column_label);
         cell.title = row.label + (k < item.labels.size() ? ", " + item.labels[k] : "");
         cell.at = item.claim.at;
-        cell.statement = {
-            Expression::Kind::relation, "~", {row.value, row.printed[k]}, row.value.span};
-        if (row.truncated)
-          cell.statement = {Expression::Kind::truncated, {}, {cell.statement}, row.value.span};
+        const auto compared = [&](const Expression& printed) -> Expression {
+          Expression rounded{
+              Expression::Kind::relation, "~", {row.value, printed}, row.value.span};
+          if (!row.truncated) return rounded;
+          return {Expression::Kind::truncated, {}, {std::move(rounded)}, row.value.span};
+        };
+        cell.statement = compared(row.printed[k]);
+        if (const auto right = row.corrected.find(k); right != row.corrected.end())
+          cell.corrected = compared(right->second);
         add_id(cell.id, row.value.span);
         try {
           meant_row.cells.push_back(meant(cell, scope, row.value.span));
