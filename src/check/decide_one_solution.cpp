@@ -29,7 +29,7 @@ class Isolating {
  public:
   Isolating(Context& context, const OneSolution& stated, const Isolation& shown)
       : context_(context), ring_(context.ring()), stated_(stated), shown_(shown) {
-    domain_ = make_region(context, stated.domain);
+    domain_ = make_region(context, stated.domain, {});
     const std::set<int> bound = context.variables(stated.unknowns);
     demand(bound == variables(domain_) && !bound.empty(),
            "degenerate: the unknowns are not those of the domain");

@@ -16,7 +16,7 @@ using certificate::OnlySolutions;
 
 SystemOfEquations read(Context& context, const OnlySolutions& stated) {
   SystemOfEquations system;
-  system.domain = make_region(context, {stated.domain.factors, {}});
+  system.domain = make_region(context, {stated.domain.factors, {}}, {});
   std::set<int> parameters = variables(system.domain);
   system.variables = parameters;
   demand(!context.variables(stated.unknowns).empty(), "degenerate: no unknown");

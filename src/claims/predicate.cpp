@@ -163,7 +163,7 @@ const std::map<std::string, Entry>& table() {
 const std::set<std::string>& later() {
   static const std::set<std::string> names = {
       "pregeodesic",        "developable", "ruled",  "cylindrical",
-      "partition_of_unity", "nonnegative", "minimax"};
+      "partition_of_unity", "nonnegative"};
   return names;
 }
 

@@ -27,15 +27,11 @@ class Collector {
 void Collector::equate(const Expression& at, const Value& a, const Value& b) {
   if (a.as<Scalar>() && b.as<Scalar>()) {
     for (const Scalar* side : {a.as<Scalar>(), b.as<Scalar>()})
-      for (const Formula& divisor : side->divisors)
-        for (const std::string& unknown : solving_.unknowns)
-          if (symbolic::variables(divisor).contains(unknown))
-            throw Unsupported("an equation with the unknown in a divisor");
-    for (const Scalar* side : {a.as<Scalar>(), b.as<Scalar>()})
-      for (const Formula& radicand : side->radicands)
-        for (const std::string& unknown : solving_.unknowns)
-          if (symbolic::variables(radicand).contains(unknown))
-            throw Unsupported("an equation with the unknown under a root");
+      for (const auto* formulas : {&side->divisors, &side->radicands})
+        for (const Formula& f : *formulas)
+          for (const std::string& unknown : solving_.unknowns)
+            if (symbolic::variables(f).contains(unknown))
+              throw Unsupported("an equation with the unknown in a divisor or under a root");
     Context context = solving_.around;
     context.lines.insert(context.lines.end(), solving_.for_all.begin(), solving_.for_all.end());
     solving_.equations.push_back(

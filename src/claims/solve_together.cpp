@@ -155,7 +155,8 @@ class Together {
                             solving_.for_all.end());
     const auto demand = [&](const Formula& f, Relation relation, const Context& context,
                             const char* about) {
-      const Scalar value = substitute(Scalar(f), values, solving_.evaluator().numbers);
+      Numbers& numbers = solving_.evaluator().numbers;
+      const Scalar value = substitute(scalar_of(f, numbers), values, numbers);
       const Constraint c =
           stating_.compared(value, operation_of(relation), Scalar(0), context, at);
       parts.push_back(stating_.holds(c.formula, c.relation, context, at, about));

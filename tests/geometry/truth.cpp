@@ -88,6 +88,14 @@ bool decide(const symbolic::Sign& sign, const Numbers& numbers) {
   });
 }
 
+bool decide(const symbolic::OnlySolutions&, const Numbers&) {
+  throw std::logic_error("truth: no systems here");
+}
+
+bool decide(const symbolic::OneSolution&, const Numbers&) {
+  throw std::logic_error("truth: no systems here");
+}
+
 bool decide(const symbolic::Solutions&, const Numbers&) {
   return false;
 }
