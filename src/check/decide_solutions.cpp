@@ -63,7 +63,6 @@ std::pair<End, End> ends(const Problem& problem) {
 }
 
 Problem read_problem(Context& context, const Solutions& stated) {
-  demand(context.functions(stated.system).empty(), "unsupported: a system with functions");
   Problem problem{context.variable(stated.unknown), {}, {}};
   demand(stated.domain.variables == std::vector{stated.unknown},
          "degenerate: the domain is not one of the unknown");

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 #include <string>
 
@@ -85,8 +86,13 @@ Certificate example() {
                        WrongSolution{3, -1},
                        nested,
                        elimination(),
-                       Isolation{{{"1/2"}}, {{"0"}, {"1/3"}}, {{"-1"}, {"2"}}, {pieces, square},
-                                 {pieces}, {square}, {pieces, pieces}}};
+                       Isolation{{{"1/2"}},
+                                 {{"0"}, {"1/3"}},
+                                 {{"-1"}, {"2"}},
+                                 {pieces, square},
+                                 {pieces},
+                                 {square},
+                                 {pieces, pieces}}};
   return c;
 }
 
@@ -251,10 +257,12 @@ TEST(Json, proofs_of_a_sign_have_the_parts_of_their_rule) {
 
 TEST(Json, a_proof_that_is_nested_too_deeply_is_rejected) {
   Certificate c = example();
-  for (int depth = 0; depth < 60; ++depth) {
-    Reduction& proof = std::get<Reduction>(c.evidence.proofs.back());
+  auto& proofs = c.evidence.proofs;
+  const auto place = std::ranges::find_if(
+      proofs, [](const Proof& proof) { return std::holds_alternative<Reduction>(proof); });
+  Reduction& proof = std::get<Reduction>(*place);
+  for (int depth = 0; depth < 60; ++depth)
     proof = Reduction{Reduction::Kind::cases, {0}, {}, {Reduction(proof), Computation{}}};
-  }
   expect_rejected(write(c), "proof is nested too deeply");
 }
 
