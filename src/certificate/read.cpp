@@ -253,61 +253,6 @@ WrongSolution read_wrong_solution(const Reader& in) {
   return {in["value"].integer(), in["claimed"].integer()};
 }
 
-Combination read_combination(const Reader& in) {
-  in.members({"equations", "cofactors"});
-  return {in["equations"].integers(), in["cofactors"].integers()};
-}
-
-EliminationFactor read_elimination_factor(const Reader& in) {
-  in.members({"formula", "power", "condition", "trees"});
-  return {in["formula"].integer(), in["power"].integer(), in["condition"].integer(),
-          in["trees"].list(read_pieces)};
-}
-
-EliminationStep read_elimination_step(const Reader& in) {
-  EliminationStep step;
-  if (in.has("product")) {
-    in.members({"combination", "product"});
-    step.combination = read_combination(in["combination"]);
-    step.factors = in["product"].list(read_elimination_factor);
-  } else if (in.has("cases")) {
-    in.members({"cases"});
-    step.kind = EliminationStep::Kind::cases;
-    step.formula = in["cases"].integer();
-  } else if (in.has("solution")) {
-    in.members({"solution", "equations"});
-    step.kind = EliminationStep::Kind::solution;
-    step.index = in["solution"].integer();
-    step.equations = in["equations"].integers();
-  } else {
-    in.members({"outside", "multiplier", "combination", "remainder", "positive", "broken"});
-    step.kind = EliminationStep::Kind::outside;
-    step.index = in["outside"].integer();
-    step.formula = in["multiplier"].integer();
-    step.combination = read_combination(in["combination"]);
-    step.remainder = in["remainder"].integer();
-    step.positive = in["positive"].list(read_pieces);
-    step.broken = in["broken"].list(read_pieces);
-  }
-  return step;
-}
-
-Box read_box(const Reader& in) {
-  in.members({"low", "high"});
-  return {in["low"].texts(), in["high"].texts()};
-}
-
-Isolation read_isolation(const Reader& in) {
-  in.members({"combination", "inner", "outer", "faces", "conditions", "dominance", "cover"});
-  return {in["combination"].list([](const Reader& row) { return row.texts(); }),
-          read_box(in["inner"]),
-          read_box(in["outer"]),
-          in["faces"].list(read_pieces),
-          in["conditions"].list(read_pieces),
-          in["dominance"].list(read_pieces),
-          in["cover"].list(read_pieces)};
-}
-
 SignProof read_sign_proof(const Reader& in);
 
 // Recursion is bounded: brackets are counted.
@@ -344,6 +289,61 @@ SignProof read_sign_proof(const Reader& in) {
   if (in.is_text()) return read_computation(in);
   if (is_reduction(in)) return read_reduction(in);
   return read_tree(in);
+}
+
+Combination read_combination(const Reader& in) {
+  in.members({"equations", "cofactors"});
+  return {in["equations"].integers(), in["cofactors"].integers()};
+}
+
+EliminationFactor read_elimination_factor(const Reader& in) {
+  in.members({"formula", "power", "condition", "trees"});
+  return {in["formula"].integer(), in["power"].integer(), in["condition"].integer(),
+          in["trees"].list(read_sign_proof)};
+}
+
+EliminationStep read_elimination_step(const Reader& in) {
+  EliminationStep step;
+  if (in.has("product")) {
+    in.members({"combination", "product"});
+    step.combination = read_combination(in["combination"]);
+    step.factors = in["product"].list(read_elimination_factor);
+  } else if (in.has("cases")) {
+    in.members({"cases"});
+    step.kind = EliminationStep::Kind::cases;
+    step.formula = in["cases"].integer();
+  } else if (in.has("solution")) {
+    in.members({"solution", "equations"});
+    step.kind = EliminationStep::Kind::solution;
+    step.index = in["solution"].integer();
+    step.equations = in["equations"].integers();
+  } else {
+    in.members({"outside", "multiplier", "combination", "remainder", "positive", "broken"});
+    step.kind = EliminationStep::Kind::outside;
+    step.index = in["outside"].integer();
+    step.formula = in["multiplier"].integer();
+    step.combination = read_combination(in["combination"]);
+    step.remainder = in["remainder"].integer();
+    step.positive = in["positive"].list(read_sign_proof);
+    step.broken = in["broken"].list(read_sign_proof);
+  }
+  return step;
+}
+
+Box read_box(const Reader& in) {
+  in.members({"low", "high"});
+  return {in["low"].texts(), in["high"].texts()};
+}
+
+Isolation read_isolation(const Reader& in) {
+  in.members({"combination", "inner", "outer", "faces", "conditions", "dominance", "cover"});
+  return {in["combination"].list([](const Reader& row) { return row.texts(); }),
+          read_box(in["inner"]),
+          read_box(in["outer"]),
+          in["faces"].list(read_pieces),
+          in["conditions"].list(read_pieces),
+          in["dominance"].list(read_pieces),
+          in["cover"].list(read_pieces)};
 }
 
 Proof read_proof(const Reader& in) {
