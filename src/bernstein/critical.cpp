@@ -70,6 +70,19 @@ Sketch::Jet Sketch::jet(const std::vector<double>& at) const {
   return jet;
 }
 
+double Sketch::value(const std::vector<double>& at) const {
+  std::vector<std::vector<double>> powers(variables_, {1});
+  for (std::size_t i = 0; i < variables_; ++i)
+    for (int e = 0; e < degrees_[i]; ++e) powers[i].push_back(powers[i].back() * at[i]);
+  double sum = 0;
+  for (const Term& term : terms_) {
+    double value = term.coefficient;
+    for (std::size_t i = 0; i < variables_; ++i) value *= powers[i][term.exponents[i]];
+    sum += value;
+  }
+  return sum;
+}
+
 std::vector<double> critical_point(const Sketch& numerator, const Sketch* denominator,
                                    std::vector<double> x,
                                    const std::vector<Direction>& directions) {

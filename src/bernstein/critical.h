@@ -19,6 +19,7 @@ class Sketch {
     std::vector<std::vector<double>> hessian;
   };
   Jet jet(const std::vector<double>& at) const;
+  double value(const std::vector<double>& at) const;
 
  private:
   struct Term {

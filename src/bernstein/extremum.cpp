@@ -2,168 +2,225 @@
 #include "bernstein/extremum.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <map>
+#include <string>
 #include <utility>
 
 #include "bernstein/critical.h"
 #include "exact/contract.h"
-#include "exact/recognise.h"
 
-// The maximum is at a corner, at a critical point within an edge, or at one inside. Newton's
-// method starts from every point of a grid that is not lower than its neighbours.
+// A maximum is a critical point within one of the faces. On each face Newton's method starts
+// from every point of a grid that is not lower than its neighbours.
 
 namespace seam::bernstein {
 
 using exact::Polynomial;
-using exact::Rational;
 using exact::RingPtr;
-using exact::RootInterval;
-using exact::Univariate;
 
 namespace {
 
-constexpr int grid = 24;
-constexpr double same_value = 1e-8;
+constexpr double same_value = 1e-9;  // of the range of all values seen
+constexpr double same_place = 1e-7;
+constexpr double margin = 1e-9;  // from the boundary of a face
 
-using Spot = std::vector<double>;
-
-struct Edge {
-  Candidate::Point start, direction;
-};
-
-std::vector<Edge> edges(Patch patch) {
-  if (patch == Patch::triangle) return {{{0, 0}, {1, 0}}, {{0, 0}, {0, 1}}, {{1, 0}, {-1, 1}}};
-  return {{{0, 0}, {1, 0}}, {{0, 0}, {0, 1}}, {{0, 1}, {1, 0}}, {{1, 0}, {0, 1}}};
+// How many steps a grid takes along an edge of a face of that dimension.
+int grid_of(std::size_t dimension) {
+  constexpr int steps[] = {1, 96, 24, 10, 7};
+  return dimension < std::size(steps) ? steps[dimension] : 0;
 }
 
-bool is_in(Patch patch, const Spot& x) {
-  constexpr double slack = 1e-9;
-  const double limit = patch == Patch::triangle ? x[0] + x[1] : std::max(x[0], x[1]);
-  return x[0] > -slack && x[1] > -slack && limit < 1 + slack;
-}
-
-class Search {
- public:
-  Search(const Polynomial& numerator, const Polynomial& denominator, Patch patch)
-      : numerator_(numerator),
-        denominator_(denominator),
-        patch_(patch),
-        sketch_(numerator),
-        sketch_below_(denominator) {}
-
-  std::vector<Candidate> run() {
-    for (const Edge& edge : edges(patch_)) {
-      corner(edge.start);
-      corner({edge.start[0] + edge.direction[0], edge.start[1] + edge.direction[1]});
-      within(edge);
-    }
-    inside();
-    double best = found_.front().value;
-    for (const Candidate& c : found_) best = std::max(best, c.value);
-    std::erase_if(found_, [&](const Candidate& c) {
-      return c.value < best - same_value * std::max(1.0, std::abs(best));
-    });
-    return found_;
+std::vector<Face> faces(const std::vector<int>& dimensions) {
+  std::vector<Face> result = {{}};
+  for (const int dimension : dimensions) {
+    std::vector<Face> longer;
+    for (const Face& face : result)
+      for (unsigned corners = 1; corners < 2U << dimension; ++corners) {
+        longer.push_back(face);
+        longer.back().push_back(corners);
+      }
+    result = std::move(longer);
   }
+  return result;
+}
+
+// The dimensions of the face within each factor.
+std::vector<int> extents(const Face& face) {
+  std::vector<int> result;
+  for (const unsigned corners : face) result.push_back(std::popcount(corners) - 1);
+  return result;
+}
+
+class FaceSearch {
+ public:
+  FaceSearch(const Landscape::Restriction& f, const Face& face)
+      : face_(face),
+        extents_(extents(face)),
+        size_(f.numerator.ring().variables().size()),
+        numerator_(f.numerator),
+        denominator_(f.denominator) {}
+
+  std::vector<Spot> run() {
+    centre();
+    if (size_ == 0) return spots_;
+    const int steps = grid_of(size_);
+    std::vector<int> index;
+    sample(index, 0, 0, steps);
+    for (const auto& [here, value] : heights_)
+      if (is_peak(here, value)) climb(spot(here, steps));
+    return spots_;
+  }
+
+  double lowest = HUGE_VAL;  ///< of the values seen
 
  private:
-  double value(const Spot& x) const {
-    return sketch_.jet(x).value / sketch_below_.jet(x).value;
+  double value(const std::vector<double>& at) {
+    const double result = numerator_.value(at) / denominator_.value(at);
+    lowest = std::min(lowest, result);
+    return result;
   }
 
-  void add(Candidate candidate) {
-    const auto same = [&](const Candidate& c) {
-      return c.at == candidate.at && c.is_critical == candidate.is_critical;
+  void centre() {
+    std::vector<double> at;
+    for (const int extent : extents_) at.insert(at.end(), extent, 1.0 / (extent + 1));
+    spots_.push_back({value(at), face_, at, true});
+  }
+
+  static std::vector<double> spot(const std::vector<int>& index, int steps) {
+    std::vector<double> at;
+    for (const int i : index) at.push_back(static_cast<double>(i) / steps);
+    return at;
+  }
+
+  // The points of the grid within the face, `index` being the beginning of one.
+  void sample(std::vector<int>& index, std::size_t factor, int used, int steps) {
+    if (index.size() == size_) {
+      heights_.emplace(index, value(spot(index, steps)));
+      return;
+    }
+    std::size_t begin = 0;
+    for (std::size_t k = 0; k < factor; ++k) begin += extents_[k];
+    if (index.size() == begin + extents_[factor]) return sample(index, factor + 1, 0, steps);
+    for (int i = 1; used + i < steps; ++i) {
+      index.push_back(i);
+      sample(index, factor, used + i, steps);
+      index.pop_back();
+    }
+  }
+
+  bool is_peak(const std::vector<int>& here, double height) const {
+    const auto is_higher = [&](const std::vector<int>& there) {
+      const auto found = heights_.find(there);
+      return found != heights_.end() && found->second > height;
     };
-    if (std::ranges::none_of(found_, same)) found_.push_back(std::move(candidate));
-  }
-
-  void corner(const Candidate::Point& at) {
-    add({value({at[0].get_d(), at[1].get_d()}), at, true, std::nullopt});
-  }
-
-  static Candidate::Point simplest(const Spot& x) {
-    const Rational tolerance(1, 10'000'000);
-    return {exact::simplest(Rational(x[0]), tolerance),
-            exact::simplest(Rational(x[1]), tolerance)};
-  }
-
-  // The critical points along the edge are the roots of n' d - n d', exactly.
-  void within(const Edge& edge) {
-    const RingPtr line = exact::Ring::make(numerator_.ring().tower(), {"t"});
-    std::vector<Polynomial> along;
-    for (int i = 0; i < 2; ++i)
-      along.push_back(line->constant(edge.start[i]) + edge.direction[i] * line->variable(0));
-    const Polynomial n = numerator_.substitute(line, along);
-    const Polynomial d = denominator_.substitute(line, along);
-    const Polynomial slope = n.derivative(0) * d - n * d.derivative(0);
-    if (slope.is_zero()) return;
-    const Univariate f = exact::squarefree(exact::univariate(slope, 0));
-    for (RootInterval root : exact::real_roots(f, 0, 1)) {
-      while (root.high - root.low > Rational(1, 1L << 40)) root = exact::halved(f, root);
-      const double t = Rational((root.low + root.high) / 2).get_d();
-      const Spot x = {edge.start[0].get_d() + t * edge.direction[0].get_d(),
-                      edge.start[1].get_d() + t * edge.direction[1].get_d()};
-      const Rational fraction = exact::simplest(Rational(t), Rational(1, 10'000'000));
-      Candidate candidate{value(x), {}, false, std::nullopt};
-      for (int i = 0; i < 2; ++i)
-        candidate.at[i] = edge.start[i] + fraction * edge.direction[i];
-      candidate.is_critical = exact::value(f, line->constant(fraction)).is_zero();
-      if (!candidate.is_critical)
-        candidate.on_edge = Candidate::OnEdge{edge.start, edge.direction, f, root};
-      add(std::move(candidate));
-    }
-  }
-
-  void inside() {
-    std::vector<std::vector<double>> heights(grid + 1,
-                                             std::vector<double>(grid + 1, -HUGE_VAL));
-    const auto spot = [](int i, int j) { return Spot{double(i) / grid, double(j) / grid}; };
-    for (int i = 0; i <= grid; ++i)
-      for (int j = 0; j <= grid; ++j)
-        if (is_in(patch_, spot(i, j))) heights[i][j] = value(spot(i, j));
-    for (int i = 0; i <= grid; ++i)
-      for (int j = 0; j <= grid; ++j) {
-        if (!is_in(patch_, spot(i, j))) continue;
-        bool is_peak = true;
-        for (int a = std::max(0, i - 1); a <= std::min(grid, i + 1); ++a)
-          for (int b = std::max(0, j - 1); b <= std::min(grid, j + 1); ++b)
-            is_peak = is_peak && heights[a][b] <= heights[i][j];
-        if (is_peak) climb(spot(i, j));
+    for (std::size_t i = 0; i < size_; ++i)
+      for (const int di : {-1, 1}) {
+        auto there = here;
+        there[i] += di;
+        if (is_higher(there)) return false;
+        for (std::size_t j = 0; j < i; ++j)
+          for (const int dj : {-1, 1}) {
+            auto across = there;
+            across[j] += dj;
+            if (is_higher(across)) return false;
+          }
       }
+    return true;
   }
 
-  void climb(const Spot& start) {
-    const Spot x = critical_point(sketch_, &sketch_below_, start, {{1, 0}, {0, 1}});
-    if (x.empty() || !is_in(patch_, x)) return;
-    Candidate candidate{value(x), simplest(x), false, std::nullopt};
-    const RingPtr numbers = exact::Ring::make(numerator_.ring().tower(), {});
-    const std::vector<Polynomial> at = {numbers->constant(candidate.at[0]),
-                                        numbers->constant(candidate.at[1])};
-    candidate.is_critical = true;
-    for (int i = 0; i < 2; ++i) {
-      const Polynomial slope = numerator_.derivative(i).substitute(numbers, at) *
-                                   denominator_.substitute(numbers, at) -
-                               numerator_.substitute(numbers, at) *
-                                   denominator_.derivative(i).substitute(numbers, at);
-      candidate.is_critical = candidate.is_critical && slope.is_zero();
+  bool is_within(const std::vector<double>& at) const {
+    std::size_t next = 0;
+    for (const int extent : extents_) {
+      double left = 1;
+      for (int i = 0; i < extent; ++i, ++next) {
+        if (!(at[next] > margin)) return false;
+        left -= at[next];
+      }
+      if (!(left > margin)) return false;
     }
-    add(std::move(candidate));
+    return true;
   }
 
-  const Polynomial& numerator_;
-  const Polynomial& denominator_;
-  Patch patch_;
-  Sketch sketch_, sketch_below_;
-  std::vector<Candidate> found_;
+  void climb(const std::vector<double>& start) {
+    std::vector<Direction> axes(size_, Direction(size_, 0));
+    for (std::size_t i = 0; i < size_; ++i) axes[i][i] = 1;
+    const auto at = critical_point(numerator_, &denominator_, start, axes);
+    if (at.empty() || !is_within(at)) return;
+    const auto is_known = [&](const Spot& spot) {
+      for (std::size_t i = 0; i < size_; ++i)
+        if (std::abs(spot.at[i] - at[i]) > same_place) return false;
+      return !spot.is_centre;
+    };
+    if (std::ranges::none_of(spots_, is_known)) spots_.push_back({value(at), face_, at, false});
+  }
+
+  Face face_;
+  std::vector<int> extents_;
+  std::size_t size_;
+  Sketch numerator_, denominator_;
+  std::map<std::vector<int>, double> heights_;
+  std::vector<Spot> spots_;
 };
 
 }  // namespace
 
-std::vector<Candidate> maximum(const Polynomial& numerator, const Polynomial& denominator,
-                               Patch patch) {
-  exact::require(numerator.ring().variables().size() == 2, "maximum: not two variables");
-  return Search(numerator, denominator, patch).run();
+Landscape::Landscape(Polynomial numerator, Polynomial denominator, std::vector<int> dimensions)
+    : numerator_(std::move(numerator)),
+      denominator_(std::move(denominator)),
+      dimensions_(std::move(dimensions)) {
+  int total = 0;
+  for (const int dimension : dimensions_) total += dimension;
+  exact::require(std::ssize(numerator_.ring().variables()) == total,
+                 "Landscape: other variables than coordinates");
+}
+
+bool Landscape::operator==(const Landscape& other) const {
+  return dimensions_ == other.dimensions_ &&
+         numerator_.ring().tower() == other.numerator_.ring().tower() &&
+         numerator_ == other.numerator_ && denominator_ == other.denominator_;
+}
+
+Landscape::Restriction Landscape::on(const Face& face) const {
+  std::vector<std::string> names;
+  for (const int extent : extents(face))
+    for (int i = 0; i < extent; ++i) names.push_back("t" + std::to_string(names.size()));
+  const RingPtr ring = exact::Ring::make(numerator_.ring().tower(), names);
+  std::vector<Polynomial> place;
+  int next = 0;
+  for (std::size_t k = 0; k < face.size(); ++k) {
+    const int first = std::countr_zero(face[k]);
+    std::vector<Polynomial> shares(dimensions_[k] + 1, ring->constant(0));
+    shares[first] = ring->constant(1);
+    for (int i = first + 1; i <= dimensions_[k]; ++i) {
+      if ((face[k] >> i & 1U) == 0) continue;
+      shares[i] = ring->variable(next++);
+      shares[first] = shares[first] - shares[i];
+    }
+    place.insert(place.end(), shares.begin() + 1, shares.end());
+  }
+  return {numerator_.substitute(ring, place), denominator_.substitute(ring, place), place};
+}
+
+std::vector<Spot> Landscape::highest() const {
+  std::vector<Spot> spots;
+  double lowest = HUGE_VAL;
+  for (const Face& face : faces(dimensions_)) {
+    FaceSearch search(on(face), face);
+    for (Spot& spot : search.run())
+      if (std::isfinite(spot.value)) spots.push_back(std::move(spot));
+    lowest = std::min(lowest, search.lowest);
+  }
+  if (spots.empty()) return spots;
+  double best = -HUGE_VAL;
+  for (const Spot& spot : spots) best = std::max(best, spot.value);
+  const double slack =
+      same_value * (best - (std::isfinite(lowest) ? lowest : best)) + 1e-14 * std::abs(best);
+  std::erase_if(spots, [&](const Spot& spot) { return spot.value < best - slack; });
+  std::ranges::stable_sort(spots, [](const Spot& a, const Spot& b) {
+    return std::pair(a.at.size(), !a.is_centre) < std::pair(b.at.size(), !b.is_centre);
+  });
+  return spots;
 }
 
 }  // namespace seam::bernstein

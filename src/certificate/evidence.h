@@ -63,13 +63,14 @@ struct Pieces {
 ///   multiplier    h = terms[0]; parts: h > 0 (not looked at if R is !=); h * f R 0.
 ///   conjugate     h = terms[0]; for R one of > >= (and likewise with < <=: f and h change
 ///                 sign). parts: f + h >= 0; f * h R 0.
+///   both          for R =; no terms. parts: f >= 0; f <= 0.
 ///   cases         a = terms[0]; parts: f R 0 with the condition a >= 0 added to those of the
 ///                 region, and with a < 0 added.
 ///   combination   parts: f - (sum terms[i] * e_i) R 0, e_i the formula of condition
 ///                 conditions[i]; then for each i, unless that condition is e_i = 0, that
 ///                 terms[i] has the sign, or is 0, that makes terms[i] * e_i help the relation.
 struct Reduction {
-  enum class Kind { multiplier, conjugate, cases, combination };
+  enum class Kind { multiplier, conjugate, both, cases, combination };
   Kind kind = Kind::multiplier;
   std::vector<Term> terms;
   std::vector<int> conditions;  ///< combination: indices in the conditions of the region
@@ -224,8 +225,8 @@ struct Isolation {
   bool operator==(const Isolation&) const = default;
 };
 
-using Proof = std::variant<Nothing, Computation, Pieces, Reduction, Witness, Roots, WrongSolution,
-                           Elimination, Isolation>;
+using Proof = std::variant<Nothing, Computation, Pieces, Reduction, Witness, Roots,
+                           WrongSolution, Elimination, Isolation>;
 
 /// One proof an obligation, in order. Its own numbers and formulas extend those of the
 /// statement: nodes are numbered on from `Statement::nodes`.

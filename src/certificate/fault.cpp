@@ -244,8 +244,9 @@ class Terms {
         demand(condition >= 0, "a condition of a negative index");
     } else {
       demand(reduction.conditions.empty(), "conditions out of place");
-      demand(reduction.terms.size() == 1 && reduction.parts.size() == 2,
-             "a multiplier or a distinction of cases takes one term and two proofs");
+      const std::size_t terms = reduction.kind == Reduction::Kind::both ? 0 : 1;
+      demand(reduction.terms.size() == terms && reduction.parts.size() == 2,
+             "not the terms, or not the two proofs, that a rule takes");
     }
     for (const SignProof& part : reduction.parts)
       if (const auto* inner = std::get_if<Reduction>(&part))

@@ -199,6 +199,8 @@ Json to_json(const Reduction& reduction) {
           {"multiplier", reduction.terms.at(0)}, {"positive", part(0)}, {"product", part(1)}};
     case Reduction::Kind::conjugate:
       return {{"conjugate", reduction.terms.at(0)}, {"sum", part(0)}, {"product", part(1)}};
+    case Reduction::Kind::both:
+      return {{"both", list(reduction.parts)}};
     case Reduction::Kind::cases:
       return {{"cases", reduction.terms.at(0)}, {"above", part(0)}, {"below", part(1)}};
     case Reduction::Kind::combination:

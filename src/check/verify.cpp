@@ -9,6 +9,7 @@
 //
 //   multiplier    h > 0 there: f and h f have one sign. That f is not 0 follows from any h f.
 //   conjugate     with f + h >= 0, f < 0 makes h > 0 and f h < 0; and f = 0 makes f h = 0.
+//   both          a number that is >= 0 and <= 0 is 0.
 //   cases         a >= 0 or a < 0 there: the point belongs to one of the two regions.
 //   combination   f is the rest and the sum of the h_i e_i. With e_i = 0 that is nothing; else
 //                 e_i and h_i have signs for which h_i e_i, added to a number of relation R,
@@ -139,6 +140,11 @@ void verify(Context& context, const Region& region, const Polynomial& formula,
              reduction.parts[1]);
       return;
     }
+    case Reduction::Kind::both:
+      demand(relation == Relation::zero, "two proofs for one relation");
+      verify(context, region, formula, Relation::nonnegative, reduction.parts[0]);
+      verify(context, region, formula, Relation::nonpositive, reduction.parts[1]);
+      return;
     case Reduction::Kind::cases:
       verify_cases(context, region, formula, relation, reduction);
       return;

@@ -6,9 +6,10 @@
 namespace seam::claims {
 namespace {
 
-std::array<const Builtins*, 7> tables() {
-  return {&number_builtins(), &function_builtins(), &coefficient_builtins(), &vector_builtins(),
-          &patch_builtins(),  &solid_builtins(),    &extremum_builtins()};
+std::array<const Builtins*, 8> tables() {
+  return {&number_builtins(),   &function_builtins(), &coefficient_builtins(),
+          &vector_builtins(),   &patch_builtins(),    &solid_builtins(),
+          &extremum_builtins(), &minimax_builtins()};
 }
 
 using Solid = geometry::Mesh (*)(Numbers&);

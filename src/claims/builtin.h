@@ -43,6 +43,7 @@ const Builtins& vector_builtins();       ///< dot cross det norm2 …
 const Builtins& patch_builtins();        ///< D1 D2 normal gauss control edge …
 const Builtins& solid_builtins();        ///< faces dual rotations orbit surface …
 const Builtins& extremum_builtins();     ///< max min argmax argmin
+const Builtins& minimax_builtins();      ///< minimax
 
 /// Surfaces and solids live in space, and their points are numbers: an error at `at`, or
 /// `Unsupported`, where they would not.
@@ -51,6 +52,13 @@ geometry::Mesh solid(geometry::Mesh, const Expression& at);
 
 /// A value given by an `each` argument (`sum(E for i in R)`) or by a list: its items.
 std::vector<Value> items_of_argument(const Call&);
+
+/// A function on a patch as the part of an extremum.
+Extremum::Part part_of(const Field&, const Expression& at);
+
+/// The closed, bounded set that the first so many bindings of `E for …` range over; their names
+/// join the scope.
+symbolic::Domain bound_domain(const Call&, std::size_t bindings, Scope&);
 
 /// The largest (least) of some numbers, resting on the comparison with each of the others.
 Formula greatest(Evaluator&, const std::vector<Formula>&, bool maximum);

@@ -2,11 +2,12 @@
 #include <algorithm>
 
 #include "claims/builtin.h"
+#include "claims/extremum_search.h"
 #include "claims/stating.h"
 
 // An extremum over a continuous domain stays unresolved: a comparison with it is a statement
-// for all (some) points. Where its value itself is wanted, the best of some candidate points is
-// taken, and "nowhere larger" becomes a side statement that has to be proven.
+// for all (some) points. Where its value itself is wanted, it is taken at a point that a search
+// finds; that it is attained there, and nowhere larger, become side statements.
 
 namespace seam::claims {
 namespace {
@@ -14,16 +15,12 @@ namespace {
 using geometry::Patch;
 using symbolic::Simplex;
 
+constexpr std::size_t most_points = 64;  // of argmax
+
 symbolic::Domain domain_of(const Field& field) {
   const std::vector<std::string> names = {geometry::parameter_u, geometry::parameter_v};
   if (field.shape == Patch::Shape::triangle) return {{symbolic::standard_simplex(names)}, {}};
   return {{symbolic::interval(names[0], 0, 1), symbolic::interval(names[1], 0, 1)}, {}};
-}
-
-Extremum::Part part_of(const Field& field, const Expression& at) {
-  if (field.components.size() != 1)
-    fail(at, "an extremum of a vector: take norm2 or a coordinate");
-  return {field.components[0], domain_of(field)};
 }
 
 bool is_compact(const symbolic::Domain& domain) {
@@ -38,20 +35,7 @@ bool is_compact(const symbolic::Domain& domain) {
 Value over_bindings(const Call& call, bool maximum) {
   const Expression& each = call[0];
   Scope inner{&call.scope, {}};
-  Extremum::Part part;
-  for (std::size_t k = 1; k < each.children.size(); ++k) {
-    const Expression& binding = each.children[k];
-    if (binding.children.size() < 2) fail(binding, "an extremum needs a bounded domain");
-    if (condition_of(binding)) throw Unsupported("an extremum under a 'where' condition");
-    std::vector<std::string> here;
-    for (const Expression& name : binding.children[0].children) {
-      here.push_back(call.evaluator.bind(name.text + "~max"));
-      inner.values[name.text] = {Scalar(Formula::symbol(here.back()))};
-    }
-    part.domain.factors.push_back(
-        call.evaluator.continuous_set(binding.children[1], here, call.scope));
-  }
-  if (!is_compact(part.domain)) fail(each, "an extremum needs a closed, bounded domain");
+  Extremum::Part part{0, bound_domain(call, each.children.size() - 1, inner)};
   part.value = call.evaluator.scalar(each.children[0], inner);
   return {Extremum{maximum, {part}}};  // its symbols stay in use: the value may be kept
 }
@@ -112,68 +96,6 @@ Value min(const Call& call) {
   return extremum(call, false);
 }
 
-// Barycentric candidates: corners, centres of faces of every dimension.
-std::vector<std::map<std::string, Formula>> candidates(const symbolic::Domain& domain) {
-  std::vector<std::map<std::string, Formula>> points = {{}};
-  for (const Simplex& factor : domain.factors) {
-    std::vector<std::map<std::string, Formula>> next;
-    const std::size_t corners = factor.corners.size();
-    for (std::size_t face = 1; face < (std::size_t{1} << corners); ++face) {
-      long size = 0;
-      symbolic::Point sum(factor.variables.size(), Formula(0));
-      for (std::size_t c = 0; c < corners; ++c) {
-        if (!(face >> c & 1)) continue;
-        ++size;
-        for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += factor.corners[c][i + 1];
-      }
-      for (const auto& point : points) {
-        auto extended = point;
-        for (std::size_t i = 0; i < sum.size(); ++i)
-          extended[factor.variables[i]] = Formula(exact::Rational(1, size)) * sum[i];
-        next.push_back(std::move(extended));
-      }
-    }
-    points = std::move(next);
-  }
-  return points;
-}
-
-// A candidate point of a part, and the value there.
-struct Attained {
-  const Extremum::Part* part;
-  std::map<std::string, Formula> point;
-  Scalar here;    ///< the value there, as substituted
-  Formula value;  ///< its normal form
-};
-
-// The candidates with the best value.
-std::vector<Attained> best_candidates(Evaluator& evaluator, const Extremum& extremum) {
-  std::vector<Attained> best;
-  for (const Extremum::Part& part : extremum.parts)
-    for (const auto& point : candidates(part.domain)) {
-      std::map<std::string, Scalar> map;
-      for (const auto& [name, coordinate] : point) map.emplace(name, Scalar(coordinate));
-      const Scalar here = substitute(part.value, map, evaluator.numbers);
-      if (!is_number(here))
-        throw Unsupported("the value of an extremum that depends on a parameter");
-      const Formula value = evaluator.numbers.normal_form(here.numerator);
-      if (!best.empty()) {
-        const Formula gain = extremum.maximum ? value - best[0].value : best[0].value - value;
-        const exact::Sign sign = evaluator.numbers.sign(gain);
-        if (sign == exact::Sign::negative) continue;
-        if (sign == exact::Sign::positive) best.clear();
-      }
-      best.push_back({&part, point, here, value});
-    }
-  return best;
-}
-
-// That the value is attained there is stated too, for the checker to compute again.
-void state_attained(Stating& stating, const Attained& place, const Expression& at) {
-  const auto equal = stating.compared(place.here, "=", Scalar(place.value), {}, at);
-  stating.guards.push_back(stating.holds(equal.formula, equal.relation, {}, at, "attained"));
-}
-
 // The squared distance from a point.
 Formula distance2(const std::map<std::string, Formula>& point) {
   Formula total = 0;
@@ -191,24 +113,24 @@ Value arguments_of_extremum(const Call& call, bool maximum) {
   if (!found || found->parts.size() != 1)
     throw Unsupported("argmax and argmin are covered for one function on one domain");
   const Extremum::Part& part = found->parts[0];
-  const std::vector<Attained> best = best_candidates(call.evaluator, *found);
-  Stating stating(call.evaluator);
-  Context context{part.domain.factors, {}, {}};
-  const auto bound = stating.compared(part.value, maximum ? "<" : ">", Scalar(best[0].value),
-                                      context, call.at);
+  const std::vector<Attained> best = attained(call.evaluator, *found, most_points);
+  Extremum elsewhere = *found;
   List points;
   for (const Attained& place : best) {
-    state_attained(stating, place, call.at);
-    context.where.push_back({distance2(place.point), Relation::positive});
+    elsewhere.parts[0].domain.where.push_back({distance2(place.point), Relation::positive});
     Vector point;
     for (const Simplex& factor : part.domain.factors)
       for (const std::string& variable : factor.variables)
         point.emplace_back(place.point.at(variable));
     points.items.push_back(point.size() == 1 ? Value{point[0]} : Value{point});
   }
-  stating.guards.push_back(
-      stating.holds(bound.formula, bound.relation, context, call.at,
-                    maximum ? "less everywhere else" : "more everywhere else"));
+  Stating stating(call.evaluator);
+  Proposition less =
+      stating.everywhere(call.at, elsewhere, maximum ? "<" : ">", Scalar(best[0].value), {},
+                         is_oblique(call.evaluator, *found));
+  less.about = maximum ? "less everywhere else" : "more everywhere else";
+  for (const Attained& place : best) stating.state_attained(call.at, place);
+  stating.guards.push_back(std::move(less));
   for (auto& guard : stating.guards) call.evaluator.sides.push_back(std::move(guard));
   return {points};
 }
@@ -222,23 +144,44 @@ Value argmin(const Call& call) {
 
 }  // namespace
 
+Extremum::Part part_of(const Field& field, const Expression& at) {
+  if (field.components.size() != 1)
+    fail(at, "an extremum of a vector: take norm2 or a coordinate");
+  return {field.components[0], domain_of(field)};
+}
+
+symbolic::Domain bound_domain(const Call& call, std::size_t bindings, Scope& inner) {
+  const Expression& each = call[0];
+  symbolic::Domain domain;
+  for (std::size_t k = 1; k <= bindings; ++k) {
+    const Expression& binding = each.children[k];
+    if (binding.children.size() < 2) fail(binding, "an extremum needs a bounded domain");
+    if (condition_of(binding)) throw Unsupported("an extremum under a 'where' condition");
+    std::vector<std::string> here;
+    for (const Expression& name : binding.children[0].children) {
+      here.push_back(call.evaluator.bind(name.text + "~max"));
+      inner.values[name.text] = {Scalar(Formula::symbol(here.back()))};
+    }
+    domain.factors.push_back(
+        call.evaluator.continuous_set(binding.children[1], here, call.scope));
+  }
+  if (!is_compact(domain)) fail(each, "an extremum needs a closed, bounded domain");
+  return domain;
+}
+
 Value Evaluator::resolved(const Value& value, const Expression& at) {
   const auto* extremum = value.as<Extremum>();
   if (!extremum) return value;
-  const Attained place = best_candidates(*this, *extremum).front();
-  const Formula& best = place.value;
+  const Attained place = attained(*this, *extremum, 1).front();
   Stating stating(*this);
-  state_attained(stating, place, at);
-  for (const Extremum::Part& part : extremum->parts) {
-    const Context context{part.domain.factors, {}, {}};
-    const auto bound = stating.compared(
-        part.value, extremum->maximum ? "<=" : ">=", Scalar(best), context, at);
-    stating.guards.push_back(
-        stating.holds(bound.formula, bound.relation, context, at,
-                      extremum->maximum ? "nowhere larger" : "nowhere smaller"));
-  }
+  stating.state_attained(at, place);
+  Proposition bounded =
+      stating.everywhere(at, *extremum, extremum->maximum ? "<=" : ">=", Scalar(place.value),
+                         {}, is_oblique(*this, *extremum));
+  bounded.about = extremum->maximum ? "nowhere larger" : "nowhere smaller";
+  stating.guards.push_back(std::move(bounded));
   for (auto& guard : stating.guards) sides.push_back(std::move(guard));
-  return {Scalar(best)};
+  return {Scalar(place.value)};
 }
 
 const Builtins& extremum_builtins() {

@@ -22,16 +22,9 @@ Value each_scalar(const Value& value, const std::function<Scalar(const Scalar&)>
   return {List{}};
 }
 
-Scalar derivative(const Scalar& s, const std::string& symbol) {
-  Scalar result = s;
-  if (s.denominator.is(1)) {
-    result.numerator = symbolic::diff(s.numerator, symbol);
-    return result;
-  }
-  result.numerator = symbolic::diff(s.numerator, symbol) * s.denominator -
-                     s.numerator * symbolic::diff(s.denominator, symbol);
-  result.denominator = symbolic::power(s.denominator, 2);
-  return result;
+// What the function rests on the derivative rests on too.
+Scalar derivative(const Scalar& s, const std::string& symbol, Numbers& numbers) {
+  return scalar_of(symbolic::diff(formula_of(s), symbol), numbers);
 }
 
 // The parameters of a function on a patch have no names.
@@ -66,7 +59,9 @@ Value diff(const Call& call) {
   refuse_field(call, value);
   for (long k = 0; k < order; ++k)
     value =
-        mapped(call, value, [&](const Scalar& s) { return derivative(s, variable.symbol()); });
+        mapped(call, value, [&](const Scalar& s) {
+          return derivative(s, variable.symbol(), call.evaluator.numbers);
+        });
   if (variable.is_fresh() && mentions(value, variable.symbol()))
     fail(call[1], "the variable '" + call[1].text + "' is not bound here");
   return value;

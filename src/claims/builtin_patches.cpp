@@ -21,15 +21,15 @@ const Formula& v() {
 
 Vector scalars(const Call& call, const Point& point) {
   Vector result;
-  for (const Formula& entry : point)
-    result.push_back(scalar_of(entry, call.evaluator.numbers));
+  for (const Formula& entry : point) result.push_back(scalar_of(entry, call.evaluator.numbers));
   return result;
 }
 
 Field field(const Call& call, const Patch& patch, const geometry::Quotient& quotient) {
   Numbers& numbers = call.evaluator.numbers;
-  return {patch.shape(), {divide(scalar_of(quotient.numerator, numbers),
-                                 scalar_of(quotient.denominator, numbers), numbers)}};
+  return {patch.shape(),
+          {divide(scalar_of(quotient.numerator, numbers),
+                  scalar_of(quotient.denominator, numbers), numbers)}};
 }
 
 Patch patch(const Call& call) {
@@ -93,7 +93,8 @@ Value control(const Call& call) {
   const long j = call.integer(2);
   if (j < 0 || j >= std::ssize(p.rows()) || i < 0 || i >= std::ssize(p.rows()[j]))
     fail(call.at, "no control point of these indices");
-  return vector_value(p.control(static_cast<int>(i), static_cast<int>(j)), call.evaluator.numbers);
+  return vector_value(p.control(static_cast<int>(i), static_cast<int>(j)),
+                      call.evaluator.numbers);
 }
 
 Value elevate(const Call& call) {
@@ -122,7 +123,8 @@ Value moved(const Call& call, const std::function<Point(const Point&)>& f) {
     return f(point);
   };
   if (value.as<Vector>())
-    return vector_value(checked(as_point(call.evaluator, value, call[0])), call.evaluator.numbers);
+    return vector_value(checked(as_point(call.evaluator, value, call[0])),
+                        call.evaluator.numbers);
   if (const auto* curve = value.as<Curve>()) {
     Curve image;
     for (const Point& point : curve->control) image.control.push_back(checked(point));
@@ -141,7 +143,8 @@ Value reflect(const Call& call) {
   const Point n = as_point(call.evaluator, {plane.normal}, call[1]);
   if (n.size() != 3) fail(call[1], "the normal of a plane has three coordinates");
   const Formula offset = as_formula(call.evaluator, {plane.offset}, call[1]);
-  const Scalar share = divide(Scalar(1), Scalar(geometry::norm2(n)), call.evaluator.numbers);
+  const Scalar share = divide(Scalar(1), scalar_of(geometry::norm2(n), call.evaluator.numbers),
+                              call.evaluator.numbers);
   const Formula inverse = as_formula(call.evaluator, {share}, call[1]);
   return moved(
       call, [&](const Point& point) { return geometry::reflect(point, n, offset, inverse); });

@@ -34,6 +34,7 @@ struct Describe {
   std::string operator()(const geometry::Mesh&) const { return "a solid"; }
   std::string operator()(const geometry::Surface&) const { return "a surface"; }
   std::string operator()(const Extremum&) const { return "an extremum"; }
+  std::string operator()(const Minimax&) const { return "a best value of a parameter"; }
   std::string operator()(const Plane&) const { return "a plane"; }
   std::string operator()(const Region&) const { return "a domain"; }
   std::string operator()(const Function&) const { return "a function"; }

@@ -39,6 +39,8 @@ class Reader {
   void figure(const Item& item);
   MeantClaim meant(const Claim& claim, const Scope& scope, text::Span span);
   Lowered lower(const Expression& statement, const Scope& scope);
+  void answer(MeantAsk&, const Formula& number, const std::string& decimal, int digits);
+  void enclose(MeantAsk&, const Extremum&, int digits);
   void report(text::Diagnostic d) { meaning_.errors.push_back(std::move(d)); }
   void add_id(const std::string& id, const text::Span& where);
 

@@ -11,8 +11,6 @@
 namespace seam::claims {
 namespace {
 
-constexpr int max_digits = 10'000;
-
 // Whether the language has this name already.
 bool is_taken(const std::string& name) {
   std::vector<std::string> taken = builtin_names();
@@ -106,6 +104,8 @@ void Reader::define(const Item& item) {
       definition.broken = true;
     } catch (const Unsupported& unsupported) {
       definition.unsupported = unsupported.what();
+    } catch (const symbolic::NumberLimit& limit) {
+      definition.unsupported = limit.what();
     } catch (const Broken&) {
       definition.broken = true;
     }
@@ -190,6 +190,8 @@ Lowered Reader::lower(const Expression& statement, const Scope& scope) {
     result.predicates = stated.predicates;
   } catch (const Unsupported& unsupported) {
     result.unsupported = unsupported.what();
+  } catch (const symbolic::NumberLimit& limit) {
+    result.unsupported = limit.what();
   } catch (const symbolic::NumberError& error) {
     report({statement.span, error.what(), {}});
   } catch (const symbolic::FormulaLimit& error) {
@@ -234,41 +236,6 @@ void Reader::figure(const Item& item) {
   } catch (const Broken&) {
   }
   meaning_.items.push_back(std::move(result));
-}
-
-MeantAsk Reader::question(const std::string& id, const Expression& expression, int digits) {
-  MeantAsk result{id, expression, {}, {}, {}};
-  evaluator_.sides.clear();
-  try {
-    if (digits < 0 || digits > max_digits) fail(expression, "expected at most 10000 digits");
-    const Value value =
-        evaluator_.resolved(evaluator_.evaluate(expression, Scope{}), expression);
-    const Formula number = as_number(evaluator_, value, expression);
-    result.decimal = meaning_.numbers->decimal(number, digits);
-    result.closed_form = symbolic::text(meaning_.numbers->normal_form(number), 2000);
-    exact::Integer scale;
-    mpz_ui_pow_ui(scale.get_mpz_t(), 10, digits);
-    const exact::Rational half(exact::Integer(1), exact::Integer(2 * scale));
-    const bool negative = result.decimal.starts_with('-');
-    const exact::Rational size = decimal(result.decimal.substr(negative ? 1 : 0));
-    const exact::Rational printed = negative ? exact::Rational(-size) : size;
-    Stated stated;
-    stated.goal = symbolic::all(
-        {symbolic::atom(symbolic::Sign{number - Formula(exact::Rational(printed - half)),
-                                       symbolic::Relation::nonnegative,
-                                       {}},
-                        "not below the printed value"),
-         symbolic::atom(symbolic::Sign{Formula(exact::Rational(printed + half)) - number,
-                                       symbolic::Relation::nonnegative,
-                                       {}},
-                        "not above the printed value")});
-    stated.guards = evaluator_.sides;
-    result.statement.exported = exported(stated, *meaning_.numbers);
-  } catch (const Unsupported& unsupported) {
-    result.statement.unsupported = unsupported.what();
-  }
-  evaluator_.sides.clear();
-  return result;
 }
 
 Meaning mean(const File& file, const Opener& open) {

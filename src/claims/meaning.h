@@ -48,12 +48,14 @@ struct MeantTable {
 };
 
 /// The decimal and the closed form are what the statement says of the value, for the checker to
-/// confirm.
+/// confirm. Of an extremum `enclosure` says the decimal alone, without the place where it is
+/// attained; where `statement` cannot be confirmed, perhaps that can.
 struct MeantAsk {
   std::string id;
   Expression expression;
   std::string decimal, closed_form;
   Lowered statement;
+  std::optional<Lowered> enclosure;
 };
 
 struct MeantFigure {

@@ -5,6 +5,7 @@
 #include "claims/stating.h"
 #include "geometry/contact.h"
 #include "geometry/similarity.h"
+#include "symbolic/coefficients.h"
 
 // Predicates of the language by name, and statements that a file defines.
 
@@ -21,7 +22,7 @@ constexpr int max_order = 8;
 struct Arguments {
   Evaluator& evaluator;
   const Expression& at;
-  std::vector<geometry::Sample> samples;
+  geometry::Search search;
   std::vector<Value> values;
 
   const Expression& place(std::size_t i) const { return at.children[i + 1]; }
@@ -60,8 +61,7 @@ Criterion regular(const Arguments& a) {
 
 // Two patches from the first argument on that is one.
 Criterion meeting(const Arguments& a, std::size_t first, const geometry::Condition& condition) {
-  return geometry::along_a_common_side(a.patch(first), a.patch(first + 1), condition,
-                                       a.numbers(), a.samples);
+  return geometry::along_a_common_side(a.patch(first), a.patch(first + 1), condition, a.search);
 }
 Criterion g0(const Arguments& a) {
   return meeting(a, 0, [](const geometry::Contact& c) { return geometry::g0(c); });
@@ -163,7 +163,7 @@ const std::map<std::string, Entry>& table() {
 const std::set<std::string>& later() {
   static const std::set<std::string> names = {
       "pregeodesic",        "developable", "ruled",  "cylindrical",
-      "partition_of_unity", "nonnegative", "minimax"};
+      "partition_of_unity", "nonnegative"};
   return names;
 }
 
@@ -198,6 +198,17 @@ bool are_identities(const std::vector<Proposition>& parts) {
     return part.kind == Proposition::Kind::atom &&
            std::holds_alternative<symbolic::Zero>(part.atom);
   });
+}
+
+// A quotient vanishes where its numerator does.
+geometry::Search searching(const Context& context, Evaluator& evaluator) {
+  const auto vanishes = [&numbers = evaluator.numbers](const Formula& f) {
+    return symbolic::vanishes(scalar_of(f, numbers).numerator, numbers);
+  };
+  geometry::Search search{evaluator.numbers, vanishes, {}};
+  for (const long weight : {1, 3, 8})
+    search.samples.push_back(sample(context, evaluator, weight));
+  return search;
 }
 
 // What has to hold where its failure would not refute the predicate: then the claim is
@@ -255,9 +266,7 @@ Proposition Stating::called(const Expression& e, const Scope& scope, const Conte
     fail(callee, "unknown predicate '" + name + "'",
          near.empty() ? "" : "did you mean '" + near + "'?");
   }
-  Arguments arguments{evaluator, e, {}, {}};
-  for (const long weight : {1, 3, 8})
-    arguments.samples.push_back(sample(context, evaluator, weight));
+  Arguments arguments{evaluator, e, searching(context, evaluator), {}};
   if (static_cast<int>(given) < entry->second.least ||
       static_cast<int>(given) > entry->second.most)
     fail(e, "'" + name + "' takes " + std::to_string(entry->second.least) +
@@ -280,8 +289,7 @@ Proposition Stating::called(const Expression& e, const Scope& scope, const Conte
         "sides that is one curve for all of them");
   std::vector<Proposition> necessary;
   collect_guards(p, failure, necessary);
-  for (Proposition& guard : necessary)
-    guards.push_back(settled(std::move(guard), context, e));
+  for (Proposition& guard : necessary) guards.push_back(settled(std::move(guard), context, e));
   p = settled(std::move(p), context, e);
   return positive ? p : symbolic::negation(std::move(p));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
+#include "claims/order.h"
 #include "claims/stating.h"
 
 // "for some x: S" is "not for all x: not S". Finite sets are written out. Symbols of
@@ -123,6 +124,7 @@ Proposition Stating::quantified(const Expression& e, const Scope& scope, const C
       auto where = constraints(*condition, scope_here, context_here, true);
       if (!where) fail(*condition, "a condition after 'where' compares polynomials");
       context_here.where.insert(context_here.where.end(), where->begin(), where->end());
+      order_to_triangle(context_here, evaluator.numbers);
     }
     return self(self, k + 1, scope_here, context_here, universal);
   };

@@ -67,12 +67,15 @@ bool same_shape(const geometry::Patch& p, const geometry::Patch& q) {
 
 Proposition Stating::compare(const Expression& at, const Value& a, const std::string& operation,
                              const Value& b, const Context& context, bool positive) {
+  if (const auto* question = a.as<Minimax>())
+    return compare_minimax(at, *question, positive ? operation : negated_operation(operation),
+                           as_scalar(evaluator, b, at), context);
   if (const auto* extremum = a.as<Extremum>()) {
     const Value right = b.as<Extremum>() ? evaluator.resolved(b, at) : b;
     const std::string op = positive ? operation : negated_operation(operation);
     return compare_extremum(at, *extremum, op, as_scalar(evaluator, right, at), context);
   }
-  if (b.as<Extremum>()) {
+  if (b.as<Extremum>() || b.as<Minimax>()) {
     static const std::map<std::string, std::string> mirrored = {
         {"<", ">"}, {"<=", ">="}, {">", "<"}, {">=", "<="}};
     const auto found = mirrored.find(operation);
@@ -151,43 +154,6 @@ Proposition Stating::compare(const Expression& at, const Value& a, const std::st
     return (operation == "=") == positive ? symbolic::falsehood() : symbolic::truth();
   }
   return entries(at, left, right, operation, context, positive);
-}
-
-// max f <= c: f <= c everywhere. max f >= c: not f < c everywhere. The domains are compact and
-// f is continuous, so the maximum is attained.
-Proposition Stating::compare_extremum(const Expression& at, const Extremum& extremum,
-                                      const std::string& operation, const Scalar& bound,
-                                      const Context& context) {
-  const auto everywhere = [&](const std::string& op) {
-    std::vector<Proposition> parts;
-    for (const Extremum::Part& part : extremum.parts) {
-      Context inner = context;
-      inner.factors.insert(inner.factors.end(), part.domain.factors.begin(),
-                           part.domain.factors.end());
-      inner.where.insert(inner.where.end(), part.domain.where.begin(), part.domain.where.end());
-      const Constraint c = compared(part.value, op, bound, inner, at);
-      parts.push_back(holds(c.formula, c.relation, inner, at));
-    }
-    return symbolic::all(std::move(parts));
-  };
-  const auto somewhere_not = [&](const std::string& op) {
-    if (!context.empty())
-      throw Unsupported("an attained extremum under 'for all' is not covered");
-    return symbolic::negation(everywhere(op));
-  };
-  const bool max = extremum.maximum;
-  const std::string below = max ? "<=" : ">=", strictly_below = max ? "<" : ">";
-  if (operation == below || operation == strictly_below) return everywhere(operation);
-  if (operation == negated_operation(strictly_below)) return somewhere_not(strictly_below);
-  if (operation == negated_operation(below)) return somewhere_not(below);
-  const auto equal = [&] {
-    Proposition bounded = everywhere(below);
-    bounded.about = max ? "nowhere larger" : "nowhere smaller";
-    Proposition attained = somewhere_not(strictly_below);
-    attained.about = "attained";
-    return symbolic::all({std::move(bounded), std::move(attained)});
-  };
-  return operation == "=" ? equal() : symbolic::negation(equal());
 }
 
 Proposition Stating::relation(const Expression& e, const Scope& scope, const Context& context,

@@ -3,10 +3,11 @@
 
 #include <optional>
 
+#include "claims/extremum_search.h"
 #include "claims/state.h"
 
 // The parts of `state`, each in a file of its own: relation.cpp, quantifier.cpp,
-// predicate.cpp, solve.cpp.
+// predicate.cpp, extremum.cpp, minimax.cpp, solve.cpp.
 namespace seam::claims {
 
 using symbolic::Proposition;
@@ -41,11 +42,11 @@ class Stating {
   /// to it.
   Proposition holds(const Formula&, Relation, const Context&, const Expression& at,
                     const std::string& about = {});
+  /// States as guards what a value rests on: divisors that are not 0, radicands not negative.
+  void guard(const Scalar&, const Context&, const Expression& at);
   /// What these variables and those of the conditions range over; all reals in halves.
   std::vector<symbolic::Domain> domains(const std::set<std::string>& variables, const Context&,
                                         const Expression& at);
-  /// States as guards what a value rests on: divisors that are not 0, radicands not negative.
-  void guard(const Scalar&, const Context&, const Expression& at);
   /// `a operation b` as `formula relation 0`, with guards for the divisors.
   symbolic::Constraint related(const Scalar& difference, Relation, const Context&,
                                const Expression& at);
@@ -68,6 +69,18 @@ class Stating {
   // predicate.cpp
   Proposition called(const Expression&, const Scope&, const Context&, bool positive);
 
+  // extremum.cpp
+  /// `part operation bound` everywhere; over triangles where `cut`.
+  Proposition everywhere(const Expression&, const Extremum&, const std::string& operation,
+                         const Scalar& bound, const Context&, bool cut);
+  /// The value at the place, computed again: it is what the search says.
+  void state_attained(const Expression&, const Attained&);
+  /// What the claim follows from, though it may fail where the claim holds; so nothing is
+  /// refuted by it. It is a conjunction.
+  Proposition sufficient(Proposition);
+  /// What refutes the claim, though the claim may fail without it; so nothing is proven by it.
+  Proposition refuting(Proposition);
+
   // solve.cpp
   Proposition solved(const Expression&, const Scope&, const Context&);
 
@@ -87,6 +100,11 @@ class Stating {
                       const Value& b, const Context&, bool positive);
   Proposition compare_extremum(const Expression&, const Extremum&, const std::string& operation,
                                const Scalar&, const Context&);
+  Proposition reached(const Expression&, const Extremum&, const std::string& operation,
+                      const Scalar&, const Context&);
+  Proposition compare_minimax(const Expression&, const Minimax&, const std::string& operation,
+                              const Scalar&, const Context&);
+  Proposition best_choice(const Expression&, const Minimax&, const Formula& value);
   Proposition entries(const Expression&, const std::vector<Value>& a,
                       const std::vector<Value>& b, const std::string& operation, const Context&,
                       bool positive);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -55,6 +56,13 @@ struct Extremum {
   std::vector<Part> parts;
 };
 
+/// minimax(E, a, domain): which a makes the largest |E| over the domain least.
+struct Minimax {
+  std::vector<Extremum::Part> errors;
+  std::string unknown;
+  std::optional<symbolic::Simplex> range;  ///< of the unknown; none: every real number
+};
+
 struct Plane {
   Vector normal;
   Scalar offset;
@@ -74,8 +82,8 @@ struct Function {
 
 struct Value {
   std::variant<Scalar, Vector, MatrixValue, List, geometry::Curve, geometry::Patch, Field,
-               CurveField, SurfaceField, geometry::Mesh, geometry::Surface, Extremum, Plane,
-               Region, Function>
+               CurveField, SurfaceField, geometry::Mesh, geometry::Surface, Extremum, Minimax,
+               Plane, Region, Function>
       content;
 
   template <class T>

@@ -276,8 +276,14 @@ int ask(const std::string& file, const std::string& expression, int digits,
   }
   prove::Budget budget;
   budget.effort = options.effort;
-  const Decided decided = decide(meant_ask.statement, meant_ask.expression, budget,
-                                 [](const symbolic::Formula& f) { return f; });
+  const auto attempt = [&](const claims::Lowered& lowered) {
+    return decide(lowered, meant_ask.expression, budget,
+                  [](const symbolic::Formula& f) { return f; });
+  };
+  Decided decided = attempt(meant_ask.statement);
+  const bool is_enclosed =
+      decided.outcome.verdict != certificate::Verdict::proven && meant_ask.enclosure;
+  if (is_enclosed) decided = attempt(*meant_ask.enclosure);
   if (decided.outcome.verdict != certificate::Verdict::proven) {
     std::cerr << "no certified value: "
               << (decided.outcome.detail.empty()
@@ -286,8 +292,8 @@ int ask(const std::string& file, const std::string& expression, int digits,
               << "\n";
     return 2;
   }
-  std::cout << meant_ask.decimal << "\n"
-            << "= " << meant_ask.closed_form << "\n";
+  std::cout << meant_ask.decimal << "\n";
+  if (!is_enclosed) std::cout << "= " << meant_ask.closed_form << "\n";
   return ok;
 }
 

@@ -109,6 +109,8 @@ Summary summary_of(const certificate::Obligation& obligation, const certificate:
     return {"subdivision", square + "subdivision, " + std::to_string(leaves) +
                                (leaves == 1 ? " piece" : " pieces")};
   }
+  if (std::holds_alternative<certificate::Reduction>(proof))
+    return {"reduction", "reduced to other signs, then subdivision"};
   if (const auto* witness = std::get_if<certificate::Witness>(&proof))
     return {"witness", "witness " + point_text(witness->point, formulas)};
   if (std::holds_alternative<certificate::Roots>(proof))
@@ -120,6 +122,15 @@ Summary summary_of(const certificate::Obligation& obligation, const certificate:
             "elimination, " + std::to_string(elimination->steps.size()) +
                 (elimination->steps.size() == 1 ? " step" : " steps")};
   return {"witness", "a wrong solution"};
+}
+
+// The obligations under an odd number of negations.
+void collect_denied(const certificate::Goal& goal, bool is_denied,
+                    std::vector<const certificate::Goal*>& result) {
+  if (goal.kind == certificate::Goal::Kind::obligation && is_denied) result.push_back(&goal);
+  const bool negates = goal.kind == certificate::Goal::Kind::negation;
+  for (const certificate::Goal& part : goal.parts)
+    collect_denied(part, is_denied != negates, result);
 }
 
 // What an isolation refutes by: where a solution is that is not in the box of the statement.
@@ -176,6 +187,16 @@ std::string witness_of(const Statement& statement, const Evidence& evidence,
     if (judgement.findings[i].kind == check::Finding::Kind::fails)
       return "not: " + readable(exported.text[i]) +
              (exported.about[i].empty() ? "" : " (" + exported.about[i] + ")");
+  // What was denied may hold.
+  std::vector<const certificate::Goal*> denied;
+  collect_denied(statement.goal, false, denied);
+  for (const certificate::Goal* goal : denied) {
+    const int i = goal->obligation;
+    if (judgement.findings[i].kind != check::Finding::Kind::holds) continue;
+    const bool is_guard = std::ranges::find(statement.guards, i) != statement.guards.end();
+    return "holds: " + readable(exported.text[i]) +
+           (is_guard && !exported.about[i].empty() ? " (" + exported.about[i] + ")" : "");
+  }
   return "sizes or shapes differ";
 }
 

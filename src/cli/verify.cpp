@@ -33,6 +33,8 @@ struct Task {
   const claims::Expression* statement = nullptr;
   Decided decided;
   double seconds = 0;
+  const claims::Lowered* otherwise = nullptr;  ///< where that cannot be proven
+  bool is_otherwise = false;                   ///< it was not: `decided` is about the other
 };
 
 void run(std::vector<Task>& tasks, const claims::Meaning& meaning, const VerifyOptions& options,
@@ -49,12 +51,19 @@ void run(std::vector<Task>& tasks, const claims::Meaning& meaning, const VerifyO
   tbb::parallel_for(std::size_t{0}, tasks.size(), [&](std::size_t i) {
     Task& task = tasks[i];
     const auto start = std::chrono::steady_clock::now();
-    prove::Budget budget;
-    budget.effort = options.effort;
-    budget.deadline =
-        start + std::chrono::milliseconds(static_cast<long>(options.timeout * 1000));
+    const auto attempt = [&](const claims::Lowered& lowered) {
+      prove::Budget budget;
+      budget.effort = options.effort;
+      budget.deadline = std::chrono::steady_clock::now() +
+                        std::chrono::milliseconds(static_cast<long>(options.timeout * 1000));
+      return decide(lowered, *task.statement, budget, normal_form);
+    };
     try {
-      task.decided = decide(*task.lowered, *task.statement, budget, normal_form);
+      task.decided = attempt(*task.lowered);
+      if (task.otherwise && task.decided.outcome.verdict != Verdict::proven) {
+        task.is_otherwise = true;
+        task.decided = attempt(*task.otherwise);
+      }
     } catch (const std::bad_alloc&) {
       task.decided = {};
       task.decided.outcome.text = claims::format(*task.statement);
@@ -71,8 +80,9 @@ void run(std::vector<Task>& tasks, const claims::Meaning& meaning, const VerifyO
 // Every accepted obligation once more by a third arithmetic, at one point; one after the other.
 void ask_for_second_opinions(std::vector<Task>& tasks) {
   for (Task& task : tasks) {
-    if (!task.lowered->exported) continue;
-    const certificate::Statement& statement = task.lowered->exported->statement;
+    const claims::Lowered& lowered = task.is_otherwise ? *task.otherwise : *task.lowered;
+    if (!lowered.exported) continue;
+    const certificate::Statement& statement = lowered.exported->statement;
     report::Outcome& outcome = task.decided.outcome;
     for (std::size_t i = 0; i < outcome.obligations.size() && outcome.alarm.empty(); ++i) {
       if (outcome.obligations[i].status != report::ObligationRun::Status::holds) continue;
@@ -99,14 +109,19 @@ std::vector<Task> tasks_of(const claims::Meaning& meaning,
   std::vector<Task> tasks;
   each_claim(meaning, [&](const MeantClaim& claim) {
     if (!selected(claim.claim.id, patterns)) return;
-    tasks.push_back({claim.claim.id, &claim.printed, &claim.claim.statement, {}, 0});
+    tasks.push_back({claim.claim.id, &claim.printed, &claim.claim.statement, {}});
     if (claim.corrected)
-      tasks.push_back({claim.claim.id, &*claim.corrected, &*claim.claim.corrected, {}, 0});
+      tasks.push_back({claim.claim.id, &*claim.corrected, &*claim.claim.corrected, {}});
   });
   for (const auto& item : meaning.items)
     if (const auto* ask = std::get_if<claims::MeantAsk>(&item);
         ask && selected(ask->id, patterns))
-      tasks.push_back({ask->id, &ask->statement, &ask->expression, {}, 0});
+      tasks.push_back({ask->id,
+                       &ask->statement,
+                       &ask->expression,
+                       {},
+                       0,
+                       ask->enclosure ? &*ask->enclosure : nullptr});
   return tasks;
 }
 
@@ -178,7 +193,7 @@ class Assembly {
     run.detail = task->decided.outcome.detail;
     if (task->decided.outcome.verdict == Verdict::proven) {
       run.decimal = meant.decimal;
-      run.closed_form = meant.closed_form;
+      if (!task->is_otherwise) run.closed_form = meant.closed_form;
     } else if (run.detail.empty()) {
       run.detail = "the value that was found could not be confirmed";
     }

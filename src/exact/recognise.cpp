@@ -6,9 +6,9 @@
 #include "exact/contract.h"
 #include "exact/enclosures.h"
 
-// A relation r0 value + sum r_i basis_i = 0 with small integers is a short vector of the
-// lattice of the rows (unit vector, 2^bits * number). By chance a relation has entries of about
-// bits / (dimension + 1) bits; one with much smaller entries is believed.
+// A relation sum r_i x_i = 0 with small integers is a short vector of the lattice of the rows
+// (unit vector, 2^bits * x_i). By chance a relation of n numbers has entries of about bits / n
+// bits; one with much smaller entries is believed.
 
 namespace seam::exact {
 
@@ -22,44 +22,78 @@ Integer rounded(const Rational& x) {
 }
 
 Rational scaled(Rational x, long bits) {
-  mpq_mul_2exp(x.get_mpq_t(), x.get_mpq_t(), bits);
+  if (bits >= 0)
+    mpq_mul_2exp(x.get_mpq_t(), x.get_mpq_t(), bits);
+  else
+    mpq_div_2exp(x.get_mpq_t(), x.get_mpq_t(), -bits);
   return x;
+}
+
+Rational truncated(const Rational& x, long bits) {
+  const Rational shifted = scaled(x, bits);
+  Integer whole;
+  mpz_fdiv_q(whole.get_mpz_t(), shifted.get_num_mpz_t(), shifted.get_den_mpz_t());
+  return scaled(Rational(whole), -bits);
+}
+
+// Small integers, not all 0, with sum r_i numbers_i about 0; none if there seem to be none.
+Coordinates relation(const std::vector<Rational>& numbers, long bits) {
+  const int size = static_cast<int>(numbers.size());
+  fmpz_mat_t lattice;
+  fmpz_mat_init(lattice, size, size + 1);
+  for (int i = 0; i < size; ++i) {
+    fmpz_one(fmpz_mat_entry(lattice, i, i));
+    const Integer entry = rounded(scaled(numbers[i], bits));
+    fmpz_set_mpz(fmpz_mat_entry(lattice, i, size), entry.get_mpz_t());
+  }
+  fmpz_lll_t context;
+  fmpz_lll_context_init_default(context);
+  fmpz_lll(lattice, nullptr, context);
+  Coordinates result(size);
+  std::size_t largest = 0;
+  for (int i = 0; i < size; ++i) {
+    result[i] = flint::integer(fmpz_mat_entry(lattice, 0, i));
+    largest = std::max(largest, mpz_sizeinbase(result[i].get_mpz_t(), 2));
+  }
+  fmpz_mat_clear(lattice);
+  if (static_cast<long>(largest) * size * 3 / 2 > bits) return {};
+  return result;
 }
 
 }  // namespace
 
 std::optional<Polynomial> recognise(const RingPtr& numbers, const Rational& value, long bits) {
   const int size = dimension(numbers->tower());
-  fmpz_mat_t lattice;
-  fmpz_mat_init(lattice, size + 1, size + 2);
-  for (int i = 0; i <= size; ++i) {
-    fmpz_one(fmpz_mat_entry(lattice, i, i));
-    Rational number = value;
-    if (i > 0) {
-      Coordinates unit(size);
-      unit[i - 1] = 1;
-      number = enclosure(numbers->tower(), unit, bits + 16).low;
-    }
-    const Integer entry = rounded(scaled(number, bits));
-    fmpz_set_mpz(fmpz_mat_entry(lattice, i, size + 1), entry.get_mpz_t());
-  }
-  fmpz_lll_t context;
-  fmpz_lll_context_init_default(context);
-  fmpz_lll(lattice, nullptr, context);
-  Integer lead = flint::integer(fmpz_mat_entry(lattice, 0, 0));
-  Coordinates relation(size);
-  std::size_t largest = mpz_sizeinbase(lead.get_mpz_t(), 2);
+  std::vector<Rational> all = {value};
   for (int i = 0; i < size; ++i) {
-    relation[i] = -flint::integer(fmpz_mat_entry(lattice, 0, i + 1));
-    largest = std::max(largest, mpz_sizeinbase(relation[i].get_mpz_t(), 2));
+    Coordinates unit(size);
+    unit[i] = 1;
+    all.push_back(enclosure(numbers->tower(), unit, bits + 16).low);
   }
-  fmpz_mat_clear(lattice);
-  if (lead == 0 || static_cast<long>(largest) * (size + 1) * 3 / 2 > bits) return std::nullopt;
+  Coordinates found = relation(all, bits);
+  if (found.empty() || found[0] == 0) return std::nullopt;
+  Integer lead = found[0];
+  found.erase(found.begin());
+  for (Integer& c : found) c = -c;
   if (lead < 0) {
     lead = -lead;
-    for (Integer& c : relation) c = -c;
+    for (Integer& c : found) c = -c;
   }
-  return numbers->number(relation, lead);
+  return numbers->number(found, lead);
+}
+
+std::optional<Univariate> annihilator(const RingPtr& numbers, const Rational& value, int most,
+                                      long bits) {
+  std::vector<Rational> powers = {1};
+  for (int degree = 1; degree <= most; ++degree) {
+    powers.push_back(truncated(powers.back() * value, bits + 16));
+    const Coordinates found = relation(powers, bits);
+    if (found.empty() || found.back() == 0) continue;
+    Univariate result;
+    for (const Integer& c : found) result.push_back(numbers->constant(Rational(c)));
+    return result;
+  }
+  return std::nullopt;
 }
 
 Rational simplest(const Rational& value, const Rational& tolerance) {

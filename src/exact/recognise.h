@@ -11,6 +11,11 @@ namespace seam::exact {
 /// which is right to about `bits` bits. Lattice reduction.
 std::optional<Polynomial> recognise(const RingPtr& numbers, const Rational& value, long bits);
 
+/// Search only: a polynomial with small integer coefficients, of the least degree up to `most`,
+/// that nearly vanishes at `value`, which is right to about `bits` bits.
+std::optional<Univariate> annihilator(const RingPtr& numbers, const Rational& value, int most,
+                                      long bits);
+
 /// The fraction of least denominator within `tolerance` of the value. Stern-Brocot.
 Rational simplest(const Rational& value, const Rational& tolerance);
 

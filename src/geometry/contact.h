@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/identity.h"
 #include "geometry/side_contact.h"
 #include "geometry/similarity.h"
 #include "geometry/surface.h"
@@ -33,13 +34,17 @@ struct Criterion {
   Failure failure = Failure::refutes;
 };
 
-/// One full side of p is one full side of q (which one, and in which direction, is found with
-/// `Numbers`), and there the condition holds, which says that they are equal. No such pair: a
-/// proposition that fails, with a witness for each pair of sides. The samples are values that
-/// the variables may have; where the predicate fails at one, every failure refutes it.
-using Sample = std::map<std::string, Formula>;
-Criterion along_a_common_side(const Patch& p, const Patch& q, const Condition&, const Numbers&,
-                              const std::vector<Sample>& = {});
+/// What it takes to choose what is stated.
+struct Search {
+  const Numbers& numbers;
+  Vanishing vanishes;
+  std::vector<std::map<std::string, Formula>> samples;  ///< values that the variables may have
+};
+
+/// One full side of p is one full side of q (which one, and in which direction, is searched;
+/// the equality is stated), and there the condition holds. No such pair: a proposition that
+/// fails, with a witness for each pair of sides.
+Criterion along_a_common_side(const Patch& p, const Patch& q, const Condition&, const Search&);
 
 /// x ends where y begins, and there is a reparametrisation, with a derivative > 0, with which
 /// their derivatives to this order are equal; and: they are so as they are. Of one dimension.

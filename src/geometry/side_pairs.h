@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "geometry/identity.h"
 #include "geometry/surface.h"
 
 namespace seam::geometry {
@@ -13,6 +14,6 @@ struct SidePairs {
   std::vector<Seam> always;
   bool sometimes = false;  ///< others may be one curve for some of the values
 };
-SidePairs side_pairs(const Patch&, const Patch&, const Numbers&);
+SidePairs side_pairs(const Patch&, const Patch&, const Numbers&, const Vanishing&);
 
 }  // namespace seam::geometry

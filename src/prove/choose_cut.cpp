@@ -16,7 +16,8 @@
 //
 //   The coefficient next to the corner along edges a and b is about H(a, b): it is positive
 //   once the angle between a and b, as H measures it, is less than a right one. So the edge
-//   opposite is halved first. The further ones become positive as the piece shrinks.
+//   opposite is halved first, the longest of them, for else parts of it may wait forever. The
+//   further ones become positive as the piece shrinks.
 
 namespace seam::prove {
 
@@ -95,15 +96,26 @@ std::optional<Subdivision::Cut> Subdivision::cut_at_zero_corner(const Piece& pie
       for (int to = 0; shape.degree(k) > 0 && to < shape.corners(k); ++to)
         if (to != choice[k] && f.sign(shape.moved(pure, k, choice[k], to)) == Sign::zero)
           flat.push_back({k, to});
+    double longest = 0;
+    std::pair<Edge, Edge> opposite;
     for (const Edge& a : flat)
       for (const Edge& b : flat) {
         if (std::pair(a.factor, a.to) >= std::pair(b.factor, b.to)) continue;
         const int once = shape.moved(pure, a.factor, choice[a.factor], a.to);
         const int twice = shape.moved(once, b.factor, choice[b.factor], b.to);
         if (twice < 0 || f.guess(twice) != Form::Guess::negative) continue;
-        if (a.factor == b.factor) return edge(piece, a.factor, a.to, b.to);
-        hopeless = question_->where.empty();
+        if (a.factor != b.factor) {
+          hopeless = question_->where.empty();
+          continue;
+        }
+        const auto& corners = piece.corners[a.factor];
+        const double length = distance(*corners[a.to], *corners[b.to]);
+        if (length <= longest * (1 + 1e-9)) continue;
+        longest = length;
+        opposite = {a, b};
       }
+    if (longest > 0)
+      return edge(piece, opposite.first.factor, opposite.first.to, opposite.second.to);
   }
   return std::nullopt;
 }

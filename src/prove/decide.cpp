@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -19,6 +20,7 @@ namespace {
 
 constexpr long first_burst = 60;
 constexpr int most_touches = 24;
+constexpr double same_place = 1e-10;
 
 Sign sign_at(Workshop& workshop, const Factors& factors, const Polynomial& f,
              const Place& place) {
@@ -106,15 +108,15 @@ Answer decide(Workshop& workshop, Question question, long effort) {
     const auto near = question.may_touch ? search.worst(8) : std::vector<const Piece*>();
     for (const Touch& touch : find_touches(workshop, question.factors, f, near)) {
       lift(workshop, question);
-      if ((touch.sign == Sign::negative || question.strict) &&
+      if (touch.sign != Sign::positive && (touch.sign == Sign::negative || question.strict) &&
           lies_in(workshop, question, touch.place))
         return no(workshop, question, touch.place);
-      if (touch.sign != Sign::zero || std::ssize(touches) >= most_touches) continue;
+      if (touch.sign == Sign::negative || std::ssize(touches) >= most_touches) continue;
       const auto same = [&](const Place& place) {
         for (std::size_t k = 0; k < place.size(); ++k)
           for (std::size_t i = 0; i < place[k].size(); ++i) {
-            const auto numbers = workshop.numbers();
-            if (!(numbers->embed(place[k][i]) == numbers->embed(touch.place[k][i])))
+            const double here = exact::ball(place[k][i]).middle;
+            if (std::abs(here - exact::ball(touch.place[k][i]).middle) > same_place)
               return false;
           }
         return true;

@@ -27,7 +27,6 @@ using exact::Sign;
 
 namespace {
 
-constexpr int most_depth = 8;
 constexpr long few_pieces = 150;
 constexpr long some_pieces = 3000;
 constexpr std::size_t few_samples = 300;
@@ -120,11 +119,16 @@ Derivation::Shown Derivation::show(Polynomial f, Goal goal, int depth) {
   }
   if (!is_plausible(f, goal)) return std::nullopt;
   if (goal.side == 0) return show_zero(f, depth);
+  if (auto shown = by_factor(f, goal, depth)) return shown;
+  f = now(f);  // the tower may have grown
   const bool is_free = !holds_function(f);
   const long effort = depth == 0 && is_free ? workshop_.budget().effort : some_pieces;
-  if (auto shown = subdivide(f, goal, is_free ? effort : few_pieces)) return shown;
+  if (is_free)
+    if (auto shown = subdivide(f, goal, true, effort)) return shown;
+  if (!is_free || !region_.functions.empty())
+    if (auto shown = subdivide(f, goal, false, few_pieces)) return shown;
   if (depth == most_depth) return std::nullopt;
-  f = now(f);  // the tower may have grown
+  f = now(f);
   if (depth == 0)
     if (auto shown = by_equations(f, goal, depth)) return shown;
   if (const auto parts = linear(f)) {
@@ -135,7 +139,7 @@ Derivation::Shown Derivation::show(Polynomial f, Goal goal, int depth) {
     if (auto shown = by_cases(f, *parts, goal, depth)) return shown;
   }
   if (depth > 0 || is_free) return std::nullopt;
-  return subdivide(f, goal, workshop_.budget().effort);
+  return subdivide(f, goal, false, workshop_.budget().effort);
 }
 
 Derivation::Shown Derivation::show_zero(const Polynomial& f, int depth) {
@@ -143,12 +147,16 @@ Derivation::Shown Derivation::show_zero(const Polynomial& f, int depth) {
   if (auto shown = by_equations(f, goal, depth)) return shown;
   const auto parts = linear(f);
   if (!parts || depth == most_depth) return std::nullopt;
-  return by_multiplier(*parts, goal, depth);
+  if (auto shown = by_multiplier(*parts, goal, depth)) return shown;
+  auto above = show(f, weak(1), depth + 1);
+  auto below = above ? show(f, weak(-1), depth + 1) : std::nullopt;
+  if (!below) return std::nullopt;
+  return Reduction{Reduction::Kind::both, {}, {}, {std::move(*above), std::move(*below)}};
 }
 
-// A formula without functions, over the domain alone where the conditions hold none either.
-Derivation::Shown Derivation::subdivide(const Polynomial& f, Goal goal, long effort) {
-  const bool is_free = !holds_function(f);
+// Without the coordinates of functions if `is_free`, and the conditions that hold them.
+Derivation::Shown Derivation::subdivide(const Polynomial& f, Goal goal, bool is_free,
+                                        long effort) {
   Question question{region_.factors, f, goal.strict(), {}, is_free};
   if (is_free) question.factors.resize(region_.factors.size() - region_.functions.size(), {});
   if (question.factors.empty()) return std::nullopt;

@@ -20,6 +20,7 @@ class Derivation {
   std::optional<certificate::Point> refute(const exact::Polynomial& f, certificate::Relation);
 
  private:
+  static constexpr int most_depth = 8;
   using Shown = std::optional<certificate::SignProof>;
   /// What is to be shown: with `side` 1 or -1 that f * side is positive, or not negative; with
   /// 0 that f is 0.
@@ -48,8 +49,9 @@ class Derivation {
 
   Shown show(exact::Polynomial f, Goal, int depth);
   Shown show_zero(const exact::Polynomial& f, int depth);
-  Shown subdivide(const exact::Polynomial& f, Goal, long effort);
+  Shown subdivide(const exact::Polynomial& f, Goal, bool is_free, long effort);
   Shown by_equations(const exact::Polynomial& f, Goal, int depth);
+  Shown by_factor(const exact::Polynomial& f, Goal, int depth);
   Shown by_multiplier(const Linear&, Goal, int depth);
   Shown by_conjugate(const Linear&, Goal, int depth);
   Shown by_conditions(const Linear&, Goal, int depth);

@@ -35,10 +35,12 @@ class SignProof {
   Proof prove(Relation relation) {
     const bool has_equation =
         std::ranges::any_of(where_, [](const auto& c) { return c.relation == Relation::zero; });
-    if (!has_equation && functions_.empty()) return by_subdivision(relation);
-    Proof proof = by_derivation(relation);
-    const bool is_open = std::holds_alternative<Nothing>(proof);
-    return is_open && functions_.empty() ? by_subdivision(relation) : proof;
+    const bool is_plain = !has_equation && functions_.empty();
+    Proof proof = is_plain ? by_subdivision(relation) : by_derivation(relation);
+    if (!std::holds_alternative<Nothing>(proof)) return proof;
+    if (is_plain && !where_.empty()) proof = by_derivation(relation);
+    if (has_equation && functions_.empty()) proof = by_subdivision(relation);
+    return proof;
   }
 
  private:
@@ -146,7 +148,8 @@ Proof SignProver::prove(const certificate::Sign& sign) {
   const Polynomial f = proof.f();
   for (const Settled& s : settled_)
     if (s.sign.relation == sign.relation && s.sign.domain == sign.domain &&
-        s.f.ring().tower() == f.ring().tower() && s.f == f)
+        s.f.ring().tower() == f.ring().tower() &&
+        s.f.ring().variables() == f.ring().variables() && s.f == f)
       return s.proof;
   settled_.push_back({sign, f, proof.prove(sign.relation)});
   return settled_.back().proof;

@@ -69,13 +69,35 @@ Derivation::Shown Derivation::by_equations(const Polynomial& f, Goal goal, int d
   return std::nullopt;
 }
 
+// f = q * e with a condition that says of e, as then the proof says of q, on which side of 0 it
+// is.
+Derivation::Shown Derivation::by_factor(const Polynomial& f, Goal goal, int depth) {
+  if (goal.strict() || depth == most_depth) return std::nullopt;
+  for (std::size_t i = 0; i < region_.where.size(); ++i) {
+    const Relation relation = region_.where[i].relation;
+    if (relation == Relation::zero || relation == Relation::nonzero) continue;
+    const int side = goal.side * (holds(relation, Sign::positive) ? 1 : -1);
+    for (const Division& division :
+         divisions(workshop_, now(f), {now(region_.where[i].formula)})) {
+      if (!division.rest.is_zero()) continue;
+      auto sign = show(division.cofactors[0], weak(side), depth + 1);
+      if (!sign) continue;
+      return Reduction{Reduction::Kind::combination,
+                       {workshop_.write(division.cofactors[0])},
+                       {static_cast<int>(i)},
+                       {Computation{}, std::move(*sign)}};
+    }
+  }
+  return std::nullopt;
+}
+
 Derivation::Shown Derivation::by_multiplier(const Linear& f, Goal goal, int depth) {
   const bool any_sign = goal.relation == Relation::nonzero;
   for (const int scale : {1, -1}) {
-    const Goal of_product{goal.relation, goal.side * scale};
     const Polynomial h = Rational(scale) * (f.constant - f.factor * f.root);
     if (!any_sign && !is_plausible(h, upward(true))) continue;
-    auto product = show(Rational(scale) * f.norm, any_sign ? of_product : goal, depth + 1);
+    const Goal of_product = any_sign ? Goal{goal.relation, 1} : goal;
+    auto product = show(Rational(scale) * f.norm, of_product, depth + 1);
     if (!product) continue;
     auto positive = any_sign ? Shown(Computation{}) : show(h, upward(true), depth + 1);
     if (!positive) continue;
@@ -109,12 +131,8 @@ Derivation::Shown Derivation::by_conjugate(const Linear& f, Goal goal, int depth
 // for B r: each coefficient of the one is a coefficient of the other.
 Derivation::Shown Derivation::sum(const Linear& f, bool of_constant, Goal goal, int depth) {
   const Polynomial& a = of_constant ? f.constant : f.factor;
-  if (const auto condition = known(a, goal.side)) {
-    const Polynomial two = f.root.ring().constant(2 * condition->scale);
-    return combination({{condition->condition, of_constant ? two : two * f.root}},
-                       Computation{});
-  }
   if (of_constant) return show(Rational(2) * a, weak(goal.side), depth + 1);
+  if (auto shown = by_factor(Rational(2) * a * f.root, weak(goal.side), depth)) return shown;
   auto shown = show(a, weak(goal.side), depth + 1);
   if (shown && std::holds_alternative<Computation>(*shown)) return plain();
   const auto* pieces = shown ? std::get_if<Pieces>(&*shown) : nullptr;

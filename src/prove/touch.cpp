@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "bernstein/critical.h"
+#include "bernstein/refine.h"
 #include "exact/recognise.h"
 #include "exact/roots.h"
 
@@ -58,6 +59,12 @@ class Search {
       offset += static_cast<int>(factor.corners.size());
     }
     size_ = offset;
+    const auto numerators = f.polynomial.numerators();
+    for (const auto& term : numerators.terms)
+      size_of_f_ = std::max(
+          size_of_f_,
+          std::abs(exact::ball(f.polynomial.ring().number(term.second, numerators.denominator))
+                       .middle));
   }
 
   // A touch on the face near the piece, if there is one.
@@ -98,8 +105,7 @@ class Search {
     if (auto touch = as_fractions(at)) return touch;
     if (free_.size() == 1)
       if (auto touch = as_double_root(at)) return touch;
-    if (workshop_.tower()) return as_numbers(at);
-    return std::nullopt;
+    return as_numbers(at);
   }
 
  private:
@@ -180,10 +186,8 @@ class Search {
     return std::nullopt;
   }
 
-  // The location to many digits, by Newton's method with exact gradients; then numbers over the
-  // tower.
-  std::optional<Touch> as_numbers(const std::vector<double>& at) const {
-    constexpr long bits = 300;
+  // f within the face, in its free coordinates.
+  Polynomial within_face(const std::vector<double>& at) const {
     std::vector<std::string> names;
     for (std::size_t a = 0; a < free_.size(); ++a) names.push_back("t" + std::to_string(a));
     const RingPtr plane = workshop_.ring(names), numbers = workshop_.numbers();
@@ -196,44 +200,69 @@ class Search {
       along[offsets_[free_[a].factor] + free_[a].to] = plane->variable(static_cast<int>(a));
     }
     const RingPtr ring = workshop_.ring(f_.polynomial.ring().variables());
-    const Polynomial f = ring->embed(f_.polynomial).substitute(plane, along);
-    std::vector<Polynomial> gradient;
-    for (std::size_t a = 0; a < free_.size(); ++a)
-      gradient.push_back(f.derivative(static_cast<int>(a)));
+    return ring->embed(f_.polynomial).substitute(plane, along);
+  }
 
-    std::vector<double> near;
-    for (const Free& free : free_) near.push_back(at[offsets_[free.factor] + free.to]);
-    const auto hessian = bernstein::Sketch(f).jet(near).hessian;
-    std::vector<Rational> t(near.begin(), near.end());
-    for (int round = 0; round < 60; ++round) {
-      std::vector<Polynomial> here;
-      for (const Rational& x : t) here.push_back(numbers->constant(x));
-      std::vector<double> slope;
-      for (const Polynomial& g : gradient)
-        slope.push_back(exact::enclosure(g.substitute(numbers, here), bits).low.get_d());
-      const auto step = bernstein::solve(hessian, slope);
-      if (step.empty()) return std::nullopt;
-      double size = 0;
-      for (std::size_t a = 0; a < t.size(); ++a) {
-        if (!std::isfinite(step[a])) return std::nullopt;
-        size = std::max(size, std::abs(step[a]));
-        Rational moved = t[a] - Rational(step[a]);
-        Integer kept;  // 2^bits * moved, rounded
-        mpq_mul_2exp(moved.get_mpq_t(), moved.get_mpq_t(), bits);
-        mpz_fdiv_q(kept.get_mpz_t(), moved.get_num_mpz_t(), moved.get_den_mpz_t());
-        t[a] = kept;
-        mpq_div_2exp(t[a].get_mpq_t(), t[a].get_mpq_t(), bits);
-      }
-      if (!(size < 1)) return std::nullopt;
-      if (size < 0x1p-240) break;
+  // The location to many digits: f is 0 there, and it is an exact number, or f is nearly 0, and
+  // a fraction nearby does.
+  std::optional<Touch> as_numbers(const std::vector<double>& at) {
+    const Polynomial f = within_face(at), one = f.ring().constant(1);
+    std::vector<double> start;
+    for (const Free& free : free_) start.push_back(at[offsets_[free.factor] + free.to]);
+    std::vector<Rational> t;
+    const long many = std::max(1000L, 50L * exact::dimension(workshop_.tower()));
+    for (const long bits : {300L, many}) {
+      const auto location = bernstein::refined(f, one, start, bits);
+      if (!location) return std::nullopt;
+      t = *location;
+      std::vector<Polynomial> values;
+      for (const Rational& x : t) values.push_back(workshop_.numbers()->constant(x));
+      const auto value = exact::enclosure(f.substitute(workshop_.numbers(), values), 2 * bits);
+      const Rational nothing(1, Integer(1) << (bits - 50));
+      if (value.high > nothing || value.low < -nothing) return nearly(at, t, value.high, bits);
     }
     std::vector<Polynomial> values;
     for (const Rational& x : t) {
-      const auto number = exact::recognise(numbers, x, 220);
+      const auto number = guessed(x, many - 40);
       if (!number) return std::nullopt;
       values.push_back(*number);
     }
+    for (Polynomial& x : values) x = workshop_.numbers()->embed(x);
     return verify(place(at, values));
+  }
+
+  // As many digits as it takes for the gradient to be less than f.
+  std::optional<Touch> nearly(const std::vector<double>& at, const std::vector<Rational>& t,
+                              const Rational& value, long most_bits) const {
+    constexpr double small = 1e-5;
+    const double about = value.get_d();
+    if (about > small * size_of_f_) return std::nullopt;
+    const long bits =
+        about > 0 ? std::min(most_bits, 24L - std::ilogb(about / size_of_f_)) : most_bits;
+    std::vector<Polynomial> values;
+    for (const Rational& x : t)
+      values.push_back(
+          workshop_.numbers()->constant(exact::simplest(x, Rational(1, Integer(1) << bits))));
+    Place where = place(at, values);
+    if (about <= 0) return verify(std::move(where));
+    for (const auto& l : where)
+      for (const Polynomial& c : l)
+        if (exact::sign(c) == Sign::negative) return std::nullopt;
+    return Touch{std::move(where), Sign::positive};
+  }
+
+  // A number over the tower, which may grow.
+  std::optional<Polynomial> guessed(const Rational& value, long bits) {
+    constexpr int most_degree = 8, most_dimension = 24;
+    if (auto known = exact::recognise(workshop_.numbers(), value, bits)) return known;
+    const int most =
+        std::min(most_degree, most_dimension / exact::dimension(workshop_.tower()));
+    const auto f = exact::annihilator(workshop_.numbers(), value, most, bits);
+    if (!f) return std::nullopt;
+    const auto roots = exact::squarefree(*f);
+    for (const exact::RootInterval& root : exact::real_roots(roots))
+      if (root.low <= value && value <= root.high) return workshop_.adjoin(roots, root);
+    return std::nullopt;
   }
 
   Workshop& workshop_;
@@ -242,6 +271,7 @@ class Search {
   bernstein::Sketch sketch_;
   std::vector<int> offsets_;
   int size_ = 0;
+  double size_of_f_ = 0;  ///< its largest coefficient, about
   std::vector<Free> free_;
   std::vector<bernstein::Direction> directions_;
   std::set<std::vector<long>> seen_;

@@ -11,10 +11,10 @@
 #include "symbolic/expand.h"
 
 // A root is looked for in three places: among the rationals (perfect powers are taken out of
-// the radicand's rational content), in the field of the radicand (a linear factor), and, where its
-// irreducible factor is of higher degree, in the field extended by it: it becomes a generator.
-// Generators that were made apart may depend on each other; the field of both shows it, for there
-// the polynomial of the later one is factored again.
+// the radicand's rational content), in the field of the radicand (a linear factor), and, where
+// its irreducible factor is of higher degree, in the field extended by it: it becomes a
+// generator. Generators that were made apart may depend on each other; the field of both shows
+// it, for there the polynomial of the later one is factored again.
 
 namespace seam::symbolic {
 
@@ -58,8 +58,10 @@ Integer pow(const Integer& base, int exponent) {
   return result;
 }
 
+// x^n - a
 bool is_binomial(const Univariate& f) {
-  return std::all_of(f.begin() + 1, f.end() - 1,
+  return f.back().rational() == Rational(1) &&
+         std::all_of(f.begin() + 1, f.end() - 1,
                      [](const Polynomial& c) { return c.is_zero(); });
 }
 
@@ -112,6 +114,7 @@ struct Numbers::Forest {
   void extend(Grown&, const Generator&);
   Formula root_of(const Grown&, const Univariate& squarefree, RootInterval where);
   Formula power_root(const Grown&, const Polynomial& radicand, int n);
+  Formula quadratic_root(const Grown&, const Univariate& irreducible, RootInterval where);
   std::string unused(const std::string& name) const;
 };
 
@@ -124,9 +127,11 @@ std::vector<std::size_t> united(const std::vector<std::size_t>& a,
   return all;
 }
 
-void require_small(const exact::RingPtr& ring, int degree) {
-  constexpr int max_degree = 64;
-  if (exact::dimension(ring->tower()) * degree > max_degree)
+constexpr int max_degree = 64;   // of a field
+constexpr int max_search = 160;  // of the norm of a polynomial that is to be factored
+
+void require_small(const exact::RingPtr& ring, int degree, int most = max_degree) {
+  if (exact::dimension(ring->tower()) * degree > most)
     throw NumberLimit("numbers of a field of degree over 64 are not covered");
 }
 
@@ -153,7 +158,8 @@ const Numbers::Forest::Grown& Numbers::Forest::grown(const Support& names) {
     result.field = grown({names.begin(), names.end() - 1}).field;
     extend(result, generators[names.back()]);
   }
-  result.expansion = std::make_unique<Expansion>(result.field.ring, Atoms{}, result.field.values);
+  result.expansion =
+      std::make_unique<Expansion>(result.field.ring, Atoms{}, result.field.values);
   return fields.emplace(names, std::move(result)).first->second;
 }
 
@@ -163,7 +169,8 @@ void Numbers::Forest::extend(Grown& to, const Generator& generator) {
   const auto over = exact::Ring::make(field.ring->tower(), {name});
   const Polynomial polynomial = Expansion(over, {}, field.values)(generator.polynomial);
   Univariate f;
-  for (const Polynomial& c : exact::univariate(polynomial, 0)) f.push_back(field.ring->embed(c));
+  for (const Polynomial& c : exact::univariate(polynomial, 0))
+    f.push_back(field.ring->embed(c));
   const RootInterval where{generator.low, generator.high};
   const Univariate factor = exact::irreducible_factor(f, where);
   const auto facts = [&](const Formula& value) -> std::vector<Fact> {
@@ -195,9 +202,10 @@ std::string Numbers::Forest::unused(const std::string& name) const {
 Formula Numbers::Forest::root_of(const Grown& in, const Univariate& squarefree,
                                  RootInterval where) {
   const exact::RingPtr ring = in.field.ring;
-  require_small(ring, exact::degree(squarefree));
+  require_small(ring, exact::degree(squarefree), max_search);
   const Univariate f = exact::irreducible_factor(squarefree, where);
   if (exact::degree(f) == 1) return formula(-f[0]);
+  require_small(ring, exact::degree(f));
   const Univariate cleared = ring->constant(common_denominator(f)) * f;
   const auto bracket = exact::bracket(f, where);
   const std::string name = unused(name_of(cleared));
@@ -239,6 +247,19 @@ Formula Numbers::Forest::power_root(const Grown& in, const Polynomial& radicand,
   return Formula(factor) * root;
 }
 
+// x^2 + 2 p x + q: the roots are -p - r and -p + r with r^2 = p^2 - q.
+Formula Numbers::Forest::quadratic_root(const Grown& in, const Univariate& f,
+                                        RootInterval where) {
+  const exact::RingPtr ring = in.field.ring;
+  const Polynomial middle = Rational(-1, 2) * f[1];
+  const auto side = [&](const Rational& end) {
+    return exact::sign(ring->constant(end) - middle);
+  };
+  while (side(where.low) != side(where.high)) where = exact::halved(f, where);
+  const Formula r = power_root(in, middle * middle - f[0], 2), centre = formula(middle);
+  return side(where.low) == Sign::positive ? centre + r : centre - r;
+}
+
 Numbers::Numbers() : forest_(std::make_unique<Forest>()) {}
 Numbers::~Numbers() = default;
 Numbers::Numbers(Numbers&&) noexcept = default;
@@ -264,7 +285,8 @@ Formula Numbers::root(const Formula& polynomial, const std::string& unknown,
                       const Rational& low, const Rational& high) {
   const std::string where = "[" + low.get_str() + ", " + high.get_str() + "]";
   const Forest::Grown& in = forest_->field_of(polynomial);
-  Expansion expansion(exact::Ring::make(in.field.ring->tower(), {unknown}), {}, in.field.values);
+  Expansion expansion(exact::Ring::make(in.field.ring->tower(), {unknown}), {},
+                      in.field.values);
   const Univariate coefficients = exact::univariate(expansion(polynomial), 0);
   if (coefficients.empty()) throw NumberError("every number is a root of 0");
   Univariate f;
@@ -273,7 +295,10 @@ Formula Numbers::root(const Formula& polynomial, const std::string& unknown,
   const auto roots = exact::real_roots(f, low, high);
   if (roots.empty()) throw NumberError("no root in " + where);
   if (roots.size() > 1) throw NumberError(std::to_string(roots.size()) + " roots in " + where);
-  const Formula value = forest_->root_of(in, f, roots.front());
+  require_small(in.field.ring, exact::degree(f));
+  f = exact::irreducible_factor(f, roots.front());
+  const Formula value = exact::degree(f) == 2 ? forest_->quadratic_root(in, f, roots.front())
+                                              : forest_->root_of(in, f, roots.front());
   return Formula::known(value, {{subst(polynomial, {{unknown, value}}), Fact::Relation::zero},
                                 {value - Formula(low), Fact::Relation::nonnegative},
                                 {Formula(high) - value, Fact::Relation::nonnegative}});

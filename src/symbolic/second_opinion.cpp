@@ -4,6 +4,7 @@
 #include <ginac/ginac.h>
 
 #include <map>
+#include <set>
 #include <sstream>
 
 // A third arithmetic beside the prover's and the checker's, on purpose a simple-minded one:
@@ -36,8 +37,24 @@ class Evaluation {
   }
   bool has(const std::string& name) const { return values_.contains(name); }
 
+  // Once the variables have values. A function whose radicand is negative has none.
+  void place_functions() {
+    for (const auto& function : statement_.functions) {
+      lacks_value_ = false;
+      const numeric radicand = at(function.radicand);
+      const bool is_zero = GiNaC::abs(radicand) <= rounding();
+      if (lacks_value_ || (radicand.is_negative() && !is_zero))
+        without_value_.insert(function.name);
+      place(function.name,
+            is_zero || radicand.is_negative() ? numeric(0) : root(radicand, function.degree));
+    }
+    lacks_value_ = false;
+  }
+  // Whether something that was evaluated since has no value.
+  bool lacks_value() const { return lacks_value_; }
+
   // The largest size met on the way bounds what rounding can have done.
-  numeric size() const { return size_; }
+  numeric rounding() const { return size_ * numeric(10).power(-digits + 20); }
 
   numeric at(Term term) {
     if (const auto known = done_.find(term); known != done_.end()) return known->second;
@@ -49,6 +66,7 @@ class Evaluation {
         break;
       case Node::Kind::symbol:
         result = values_.contains(node.text) ? values_.at(node.text) : numeric(0);
+        lacks_value_ = lacks_value_ || without_value_.contains(node.text);
         break;
       case Node::Kind::sum:
         for (const Term operand : node.operands) result += at(operand);
@@ -67,6 +85,11 @@ class Evaluation {
   }
 
  private:
+  static numeric root(const numeric& radicand, int degree) {
+    const numeric x = GiNaC::ex_to<numeric>(GiNaC::ex(radicand).evalf());
+    return GiNaC::exp(GiNaC::log(x) / degree);
+  }
+
   // Bisection to far below the working precision.
   void place_root(const certificate::Generator& generator) {
     numeric low(generator.low.c_str()), high(generator.high.c_str());
@@ -87,6 +110,8 @@ class Evaluation {
   std::map<std::string, numeric> values_;
   std::map<Term, numeric> done_;
   numeric size_ = 1;
+  std::set<std::string> without_value_;
+  bool lacks_value_ = false;
 };
 
 bool agrees(Relation relation, const numeric& value, const numeric& rounding) {
@@ -123,9 +148,10 @@ void place_inside(const Simplex& simplex, Evaluation& evaluation) {
 }
 
 std::optional<std::string> objection(Evaluation& evaluation, Term formula, Relation relation) {
+  evaluation.place_functions();
   const numeric value = evaluation.at(formula);
-  const numeric rounding = evaluation.size() * numeric(10).power(-digits + 20);
-  if (agrees(relation, value, rounding)) return std::nullopt;
+  if (evaluation.lacks_value() || agrees(relation, value, evaluation.rounding()))
+    return std::nullopt;
   std::ostringstream sentence;
   GiNaC::Digits = 10;
   sentence << "evaluation at a point gives " << GiNaC::ex(value).evalf();

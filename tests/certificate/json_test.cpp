@@ -53,7 +53,7 @@ Certificate example() {
       Gluing{{{{0, 1}, {1, 0}}, {{0, 1}, {1, 0}}}, {{0, 0, 1, 0, true}, {0, 1, 1, 1}}, 2},
       Distinct{{{0, 1}, {1, 0}}},
       Zero{0},
-      Sign{1, Relation::zero, {}}},
+      Sign{1, Relation::zero, {}},
       OnlySolutions{{2}, {"v"}, {"w"}, {{segment}, {{5, Relation::positive}}}, {{{3}, {0}}}},
       OneSolution{{2}, {"u"}, {"w"}, {{segment}, {{5, Relation::positive}}}, {"0"}, {"1/2"}}};
   s.guards = {0, 3};
@@ -73,8 +73,9 @@ Certificate example() {
   using enum Reduction::Kind;
   const Reduction sum = {combination, {6, 0}, {1, 0}, {square, Computation{}}};
   const Reduction inner = {conjugate, {6}, {}, {sum, Computation{}}};
+  const Reduction both_of = {both, {}, {}, {Computation{}, pieces}};
   const Reduction nested = {
-      multiplier, {7}, {}, {pieces, Reduction{cases, {5}, {}, {inner, Computation{}}}}};
+      multiplier, {7}, {}, {pieces, Reduction{cases, {5}, {}, {inner, both_of}}}};
   const Point point = {{"u", "v"}, {6, 7}};
   c.evidence.proofs = {Computation{},
                        square,

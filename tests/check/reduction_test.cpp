@@ -74,8 +74,8 @@ TEST(Multiplier, it_holds_variables_and_functions_of_the_obligation_alone) {
 
 TEST(Multiplier, it_may_be_of_any_sign_where_no_sign_is_claimed) {
   Difference d(nonzero, true);
-  EXPECT_HOLDS(d.finding(by_multiplier(d.scaled(-1, d.sum({d.k, d.r})), Computation{},
-                                       test::nonzero(negative))));
+  EXPECT_HOLDS(d.finding(
+      by_multiplier(d.scaled(-1, d.sum({d.k, d.r})), Computation{}, test::nonzero(negative))));
   EXPECT_OPEN(d.finding(by_multiplier(d.number(0), Computation{}, Computation{})),
               "no number of this sign");
   Difference closed(nonzero, false);
@@ -156,6 +156,20 @@ TEST(Conjugate, the_sum_is_needed) {
   }
 }
 
+TEST(Both, what_is_not_negative_and_not_positive_is_zero) {
+  Case k;  // x = 0 for x in [0, 1] where x <= 0
+  const Term x = k.symbol("x");
+  k.claim(Sign{x, zero, {{k.segment("x")}, {{x, nonpositive}}}});
+  k.evidence_begins();
+  const Reduction below{combination, {k.number(1)}, {0}, {Computation{}, Computation{}}};
+  EXPECT_HOLDS(k.finding(Reduction{both, {}, {}, {pieces({plain()}), below}}));
+  EXPECT_OPEN(k.finding(Reduction{both, {}, {}, {pieces({plain()}), pieces({plain()})}}), "");
+  EXPECT_OPEN(k.finding(Reduction{both, {}, {}, {below, pieces({plain()})}}), "");
+  std::get<Sign>(k.statement.obligations[0]).relation = nonnegative;
+  EXPECT_OPEN(k.finding(Reduction{both, {}, {}, {pieces({plain()}), below}}),
+              "two proofs for one relation");
+}
+
 TEST(Cases, both_are_needed) {
   Case k;
   const Term x = k.symbol("x");
@@ -191,6 +205,21 @@ TEST(Cases, a_condition_of_a_case_holds_in_that_case_alone) {
   const Reduction shown{combination, {k.number(1)}, {0}, {Computation{}, Computation{}}};
   EXPECT_OPEN(k.finding(Reduction{cases, {x}, {}, {shown, shown}}), "no number of this sign");
   EXPECT_OPEN(k.finding(shown), "a condition that is none");
+}
+
+TEST(Cases, a_case_that_does_not_occur_shows_everything) {
+  for (const char* low : {"0", "-1"}) {
+    Case k;  // x >= 0 by the condition of the first case; the second is empty if low = 0
+    const Term x = k.symbol("x");
+    k.claim(Sign{x, nonnegative, {{k.segment("x", low)}, {}}});
+    k.evidence_begins();
+    const Reduction above{combination, {k.number(1)}, {0}, {Computation{}, Computation{}}};
+    const Finding found = k.finding(Reduction{cases, {x}, {}, {above, pieces({outside(0)})}});
+    if (low[0] == '0')
+      EXPECT_HOLDS(found);
+    else
+      EXPECT_OPEN(found, "not seen to be broken");
+  }
 }
 
 TEST(Combination, an_equation_may_be_added_any_number_of_times) {

@@ -108,5 +108,16 @@ TEST(Fractions, the_simplest_is_found) {
   EXPECT_EQ(simplest(Rational(1e-9), Rational(1, 1000000)), 0);
 }
 
+TEST(Recognise, a_polynomial_that_a_decimal_nearly_satisfies_is_found) {
+  const RingPtr rationals = Ring::make(nullptr, {});
+  const Univariate f = with_integers(rationals, {-2, 0, 0, 1});  // the cube root of 2
+  RootInterval root = real_roots(f).front();
+  while (root.high - root.low > Rational(1, Integer(1) << 320)) root = halved(f, root);
+  const auto found = annihilator(rationals, root.low, 6, 300);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(monic(*found), f);
+  EXPECT_FALSE(annihilator(rationals, root.low, 2, 300));
+}
+
 }  // namespace
 }  // namespace seam::exact

@@ -21,13 +21,14 @@ class ContactTest : public ::testing::Test {
 
   using Along = Proposition (*)(const Contact&);
   bool meet(const Patch& p, const Patch& q, Along condition) const {
-    return holds(along_a_common_side(p, q, condition, numbers).proposition, numbers);
+    return holds(along_a_common_side(p, q, condition, search).proposition, numbers);
   }
   bool is_g0(const Patch& p, const Patch& q) const { return meet(p, q, g0); }
   bool is_g1(const Patch& p, const Patch& q) const { return meet(p, q, g1); }
   bool is_g2(const Patch& p, const Patch& q) const { return meet(p, q, g2); }
 
   symbolic::Numbers numbers;
+  const Search search{numbers, [this](const Formula& f) { return vanishes(f, numbers); }, {}};
   const Patch unit = flat_square({0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0});
   const Patch next = flat_square({1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0});
 };
@@ -135,7 +136,7 @@ TEST_F(ContactTest, patches_may_hold_parameters) {
   const Formula c = Formula::symbol("c");
   const Patch p = square_of({-v, u, c * u - c * v}, 1, 1, numbers);
   const Patch q = square_of({v, u, c * u + c * v}, 1, 1, numbers);
-  const Criterion g = along_a_common_side(p, q, Along(g1), numbers);
+  const Criterion g = along_a_common_side(p, q, Along(g1), search);
   ASSERT_EQ(g.proposition.kind, Proposition::Kind::all);
   EXPECT_TRUE(is_g0(p, q));
   EXPECT_FALSE(is_g0(p, square_of({v, u, c * u * u}, 2, 1, numbers)));
@@ -144,10 +145,11 @@ TEST_F(ContactTest, patches_may_hold_parameters) {
 TEST_F(ContactTest, a_failure_refutes_where_no_other_sides_can_meet) {
   using Failure = Criterion::Failure;
   const Formula c = Formula::symbol("c");
-  const auto failure = [&](const Formula& third, const std::vector<Sample>& samples = {}) {
+  const auto failure = [&](const Formula& third,
+                           const decltype(Search::samples)& samples = {}) {
     const Patch p = flat_triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
     const Patch q = flat_triangle({0, 0, 0}, {1, 0, 0}, {0, third, 0});
-    return along_a_common_side(p, q, Along(g1), numbers, samples).failure;
+    return along_a_common_side(p, q, Along(g1), {numbers, search.vanishes, samples}).failure;
   };
   EXPECT_EQ(failure(-1), Failure::refutes);
   EXPECT_EQ(failure(1), Failure::refutes);
@@ -159,7 +161,7 @@ TEST_F(ContactTest, a_failure_refutes_where_no_other_sides_can_meet) {
 TEST_F(ContactTest, sides_that_meet_for_single_values_do_not_meet) {
   const Formula c = Formula::symbol("c");
   const Patch shifted = flat_square({1, c, 0}, {2, c, 0}, {2, 1 + c, 0}, {1, 1 + c, 0});
-  const Criterion g = along_a_common_side(unit, shifted, Along(g0), numbers);
+  const Criterion g = along_a_common_side(unit, shifted, Along(g0), search);
   EXPECT_FALSE(holds(g.proposition, numbers));
   EXPECT_EQ(g.failure, Criterion::Failure::refutes);
 }

@@ -23,15 +23,15 @@ class JetsTest : public ::testing::Test {
   }
   bool is_g(int order, const Patch& p, const Patch& q) const {
     const auto jets = [=](const Contact& c) { return equal_jets(c, order); };
-    return holds(along_a_common_side(p, q, jets, numbers).proposition, numbers);
+    return holds(along_a_common_side(p, q, jets, search).proposition, numbers);
   }
   bool is_c(int order, const Patch& p, const Patch& q) const {
     const auto same = [=](const Contact& c) { return equal_derivatives(c, order); };
-    return holds(along_a_common_side(p, q, same, numbers).proposition, numbers);
+    return holds(along_a_common_side(p, q, same, search).proposition, numbers);
   }
   template <class Condition>
   bool meet(const Patch& p, const Patch& q, Condition condition) const {
-    return holds(along_a_common_side(p, q, condition, numbers).proposition, numbers);
+    return holds(along_a_common_side(p, q, condition, search).proposition, numbers);
   }
   int smoothness(const Patch& p, const Patch& q) const {
     int order = -1;
@@ -40,6 +40,7 @@ class JetsTest : public ::testing::Test {
   }
 
   symbolic::Numbers numbers;
+  const Search search{numbers, [this](const Formula& f) { return vanishes(f, numbers); }, {}};
 };
 
 TEST_F(JetsTest, one_graph_is_smooth_however_it_is_parametrised) {

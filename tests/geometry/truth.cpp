@@ -170,7 +170,8 @@ bool vanishes(const Formula& f, const Numbers& numbers) {
 }
 
 bool vanishes(const Point& point, const Numbers& numbers) {
-  return std::ranges::all_of(point, [&](const Formula& f) { return testing::vanishes(f, numbers); });
+  return std::ranges::all_of(point,
+                             [&](const Formula& f) { return testing::vanishes(f, numbers); });
 }
 
 }  // namespace seam::geometry::testing

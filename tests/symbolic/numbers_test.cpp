@@ -33,6 +33,17 @@ TEST(Numbers, a_root_of_a_fraction_makes_an_integral_generator) {
   EXPECT_EQ(numbers.generators()[0].high, 2);
 }
 
+TEST(Numbers, a_root_of_a_quadratic_is_written_with_a_square_root) {
+  Numbers numbers;
+  const Formula x = Formula::symbol("x");
+  const Formula upper = numbers.root(power(x, 2) - x - Formula(1), "x", 0, 2);
+  const Formula lower = numbers.root(power(x, 2) - x - Formula(1), "x", -1, 0);
+  EXPECT_EQ(text(numbers.normal_form(upper)), "(1/2)*sqrt(5) + 1/2");
+  EXPECT_TRUE(numbers.equal(upper + lower, 1));
+  EXPECT_TRUE(numbers.equal(upper * lower, -1));
+  EXPECT_EQ(numbers.generators().size(), 1U);
+}
+
 TEST(Numbers, asking_twice_gives_the_same_number) {
   Numbers numbers;
   const Formula a = numbers.sqrt(5), b = numbers.sqrt(5);
