@@ -153,7 +153,7 @@ struct EliminationFactor {
   Term formula = 0;
   int power = 1;
   int condition = -1;
-  std::vector<Pieces> trees;
+  std::vector<SignProof> trees;
   bool operator==(const EliminationFactor&) const = default;
 };
 
@@ -172,7 +172,7 @@ struct EliminationStep {
   Term remainder = 0;                      ///< outside
   int index = 0;                           ///< solution, outside
   std::vector<int> equations;              ///< solution
-  std::vector<Pieces> positive, broken;    ///< outside
+  std::vector<SignProof> positive, broken;  ///< outside
   bool operator==(const EliminationStep&) const = default;
 };
 
@@ -187,11 +187,12 @@ struct EliminationStep {
 /// outside: formula * (that of the condition) = combination + remainder; the trees `positive` show formula > 0,
 ///   the trees `broken` that the remainder breaks the condition.
 ///
-/// Trees are about the domain and the conditions known there. Of the unknowns that belong to no factor those
-/// that the formula holds, in their order x_1, ..., x_k, are taken from both sides of 0: there are 2^k trees, the
-/// first with all x <= 0, the next with x_1 >= 0, then x_2 >= 0 alone, and so on, over the factors of the domain and one
-/// for each x, with the corners (1, 0), (0, -1) or (1, 0), (0, 1). Conditions that hold
-/// other variables are left out there, and the others are counted without them.
+/// Trees are about a region (see Reduction), for all functions of the obligation: the domain, and the
+/// conditions known there. Of the unknowns that belong to no factor those that the formula holds,
+/// in their order x_1, ..., x_k, are taken from both sides of 0: there are 2^k trees, the first
+/// with all x <= 0, the next with x_1 >= 0, then x_2 >= 0 alone, and so on, over the factors of the
+/// domain and one for each x, with the corners (1, 0), (0, -1) or (1, 0), (0, 1). Conditions
+/// that hold other variables are left out there, and the others are counted without them.
 struct Elimination {
   std::vector<EliminationStep> steps;
   bool operator==(const Elimination&) const = default;

@@ -199,13 +199,13 @@ class Terms {
     for (const EliminationFactor& factor : step.factors) {
       demand_term(factor.formula);
       demand(factor.power >= 1 && factor.condition >= -1, "a factor with an index out of place");
-      std::ranges::for_each(factor.trees, *this);
+      demand_sound(factor.trees);
     }
     demand_term(step.formula);
     demand_term(step.remainder);
     demand(step.index >= 0, "a step of a negative index");
-    std::ranges::for_each(step.positive, *this);
-    std::ranges::for_each(step.broken, *this);
+    demand_sound(step.positive);
+    demand_sound(step.broken);
   }
 
   void operator()(const Box& box) const {
@@ -230,6 +230,10 @@ class Terms {
   }
 
  private:
+  void demand_sound(const std::vector<SignProof>& proofs) const {
+    for (const SignProof& proof : proofs) std::visit(*this, proof);
+  }
+
   void demand_sound(const Reduction& reduction, int depth) const {
     demand(depth < max_proof_depth, "a proof is nested too deeply");
     demand_terms(reduction.terms);

@@ -249,7 +249,7 @@ Json to_json(const EliminationFactor& factor) {
   return {{"formula", factor.formula},
           {"power", factor.power},
           {"condition", factor.condition},
-          {"trees", trees(factor.trees)}};
+          {"trees", list(factor.trees)}};
 }
 
 Json to_json(const EliminationStep& step) {
@@ -265,8 +265,8 @@ Json to_json(const EliminationStep& step) {
               {"multiplier", step.formula},
               {"combination", to_json(step.combination)},
               {"remainder", step.remainder},
-              {"positive", trees(step.positive)},
-              {"broken", trees(step.broken)}};
+              {"positive", list(step.positive)},
+              {"broken", list(step.broken)}};
   }
   throw FormatError("a step of no kind");
 }

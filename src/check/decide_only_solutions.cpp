@@ -6,6 +6,7 @@
 #include "check/rules.h"
 #include "check/system.h"
 
+// Functions are further coordinates of a point, and its values of them are the roots that they are.
 // A point of the domain that meets the conditions, solves the system and is none of the
 // solutions refutes; an elimination proves.
 
@@ -15,9 +16,16 @@ namespace {
 using certificate::OnlySolutions;
 
 SystemOfEquations read(Context& context, const OnlySolutions& stated) {
+  std::vector<certificate::Term> terms = stated.system;
+  for (const auto& condition : stated.domain.where) terms.push_back(condition.formula);
+  for (const auto& [numerators, denominators] : stated.solutions)
+    for (const auto* held : {&numerators, &denominators})
+      terms.insert(terms.end(), held->begin(), held->end());
   SystemOfEquations system;
+  system.functions = context.functions(std::move(terms));
   system.domain = make_region(context, {stated.domain.factors, {}}, {});
-  std::set<int> parameters = variables(system.domain);
+  // Throws where a function is of other variables than the domain's.
+  std::set<int> parameters = variables(with_functions(context, system.domain, system.functions));
   system.variables = parameters;
   demand(!context.variables(stated.unknowns).empty(), "degenerate: no unknown");
   for (const std::string& name : stated.unknowns) {
@@ -51,7 +59,7 @@ bool refutes(Context& context, const SystemOfEquations& system, const Point& poi
   const auto sign_at = [&](const Polynomial& formula) {
     return context.tower().sign(value_at(context, formula, point));
   };
-  demand_inside(context, system.domain, {}, point);
+  demand_inside(context, system.domain, system.functions, point);
   return std::ranges::all_of(system.equations,
                              [&](const Polynomial& f) { return sign_at(f) == 0; }) &&
          std::ranges::all_of(system.solutions, [&](const std::vector<Polynomial>& solution) {

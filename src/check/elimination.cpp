@@ -34,8 +34,8 @@ using certificate::Combination;
 using certificate::Elimination;
 using certificate::EliminationFactor;
 using certificate::EliminationStep;
-using certificate::Pieces;
 using certificate::Relation;
+using certificate::SignProof;
 
 constexpr std::size_t most_known = 2000;
 constexpr std::size_t most_unbounded = 6;  // take 2^6 trees
@@ -154,7 +154,7 @@ class Walk {
 
   // From both sides of 0 in each unbounded unknown that the formula holds.
   void verify_trees(const Polynomial& formula, Relation relation,
-                    const std::vector<Pieces>& trees) {
+                    const std::vector<SignProof>& trees) {
     Region whole = {system_.domain.factors, {}};
     int next = context_.free_symbol();
     for (const Factor& factor : whole.factors) next += static_cast<int>(factor.corners.size());
@@ -171,10 +171,12 @@ class Walk {
             context_, {halved[j]}, {{constant(1), constant(0)}, {constant(0), direction}},
             {false, false}, next + 2 * static_cast<int>(j)));
       }
-      const std::set<int> bound = variables(region);
+      std::set<int> bound = variables(region);
+      bound.insert(system_.functions.begin(), system_.functions.end());
       for (const Condition* condition : conditions_)
         if (context_.depends_only_on(condition->formula, bound))
           region.where.push_back(*condition);
+      region = with_functions(context_, std::move(region), system_.functions);
       verify(context_, region, formula, relation, trees[sides]);
     }
   }

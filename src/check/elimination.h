@@ -12,8 +12,9 @@ namespace seam::check {
 struct SystemOfEquations {
   std::vector<Polynomial> equations;
   Region domain;               ///< its conditions may hold `unbounded`
+  std::set<int> functions;     ///< of the variables of the domain
   std::vector<int> unbounded;  ///< the unknowns that belong to no factor
-  std::set<int> variables;     ///< of the factors, and the unknowns
+  std::set<int> variables;     ///< of the factors, the unknowns, and the functions
   /// denominator * x - numerator, by solution and unknown.
   std::vector<std::vector<Polynomial>> solutions;
 };

@@ -44,7 +44,7 @@ Eliminator::Reduction Eliminator::reduced(const Polynomial& f, const Facts& fact
     const Polynomial& by = facts.equations[solved.equation];
     if (result.remainder.degree(solved.variable) < by.degree(solved.variable)) continue;
     const auto [power, quotient, remainder] =
-        pseudo_divide(result.remainder, by, solved.variable);
+        pseudo_divide(*stated_, result.remainder, by, solved.variable);
     const Polynomial lead = initial(by, solved.variable);
     if (power > 0) {
       result.initials.push_back({lead, power});

@@ -54,7 +54,7 @@ Eliminator::Eliminator(Workshop& workshop, const Equations& stated, Leftover lef
     : workshop_(&workshop),
       stated_(&stated),
       leftover_(std::move(leftover)),
-      nonvanishing_(workshop, stated.factors, stated.unbounded) {}
+      nonvanishing_(workshop, stated) {}
 
 std::optional<certificate::Elimination> Eliminator::run() {
   Facts facts{stated_->system, stated_->conditions, {}, {}};
@@ -142,7 +142,7 @@ std::optional<Eliminator::Pivot> Eliminator::choose(const Facts& facts, bool lin
       const int degree = f.degree(v);
       if (degree < 1 || (linear && degree > 1)) continue;
       const bool is_unknown = std::ranges::count(stated_->unknowns, v) > 0;
-      if (is_unknown || f.degree(stated_->unknowns) < 1)
+      if (is_unknown || (f.degree(stated_->unknowns) < 1 && !stated_->holds_function(f)))
         candidates.push_back({{degree, terms}, {i, v, degree, false}});
     }
   }
@@ -202,7 +202,8 @@ certificate::Combination Eliminator::write(const Combination& combination,
 }
 
 Eliminator::Outcome Eliminator::derive(Facts& facts, Combination combination,
-                                       const Polynomial& f) {
+                                       const Polynomial& whole) {
+  const Polynomial f = stated_->reduced(whole);
   if (f.is_zero()) return Outcome::goes_on;
   if (f.numerators().terms.size() > most_terms) {
     give_up("effort", "an equation of more than " + std::to_string(most_terms) + " terms");
@@ -235,7 +236,7 @@ Eliminator::Outcome Eliminator::derive(Facts& facts, Combination combination,
     factors.push_back({workshop_->write(multiplied(one, left)), 1, -1, {}});
   }
   step(combination, multiplier, std::move(factors));
-  facts.equations.push_back(multiplied(one, left));
+  facts.equations.push_back(stated_->reduced(multiplied(one, left)));
   facts.open.push_back({static_cast<int>(facts.equations.size()) - 1, {one, left}});
   return Outcome::goes_on;
 }
@@ -265,7 +266,7 @@ Eliminator::Outcome Eliminator::reduce(Facts& facts, const Pivot& pivot) {
       facts.open.push_back(std::move(open));
       continue;
     }
-    const auto [power, quotient, remainder] = pseudo_divide(f, divisor, pivot.variable);
+    const auto [power, quotient, remainder] = pseudo_divide(*stated_, f, divisor, pivot.variable);
     const Outcome outcome =
         derive(facts, {{open.equation, lead.pow(power)}, {by.equation, -quotient}}, remainder);
     if (outcome != Outcome::goes_on) return outcome;

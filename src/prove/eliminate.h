@@ -11,17 +11,6 @@
 
 namespace seam::prove {
 
-/// A system of equations, all in one ring: the parameters and bounded unknowns (the variables
-/// of the factors), then the unbounded unknowns.
-struct Equations {
-  Factors factors;
-  std::vector<std::string> unbounded;
-  std::vector<int> unknowns;  ///< their places in the ring
-  std::vector<exact::Polynomial> system;
-  Nonvanishing::Conditions conditions;
-  std::vector<std::vector<exact::Polynomial>> solutions;  ///< denominator * x - numerator
-};
-
 /// base^exponent.
 struct Power {
   exact::Polynomial base;

@@ -2,8 +2,10 @@
 #include "prove/nonvanishing.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "prove/derive.h"
 #include "prove/sampling.h"
 
 // Samples first: what takes the wrong sign at one of them needs no search. Ends because each
@@ -13,6 +15,7 @@ namespace seam::prove {
 
 using certificate::Pieces;
 using certificate::Relation;
+using certificate::SignProof;
 using exact::Polynomial;
 using exact::Sign;
 
@@ -29,10 +32,18 @@ Sign sign_of(double value) {
 
 }  // namespace
 
-Nonvanishing::Nonvanishing(Workshop& workshop, Factors factors,
-                           std::vector<std::string> unbounded)
-    : workshop_(&workshop), factors_(std::move(factors)), unbounded_(std::move(unbounded)) {
-  samples_ = sample(factors_, unbounded_.size(), most_samples);
+Nonvanishing::Nonvanishing(Workshop& workshop, const Equations& stated)
+    : workshop_(&workshop), stated_(&stated) {
+  for (std::vector<double> point :
+       sample(stated.factors, stated.unbounded.size(), most_samples)) {
+    point.resize(point.size() + stated.functions.size(), 0.0);
+    const auto first = static_cast<std::size_t>(stated.first_function());
+    for (std::size_t k = 0; k < stated.functions.size(); ++k)
+      point[first + k] =
+          std::pow(about(stated.radicands[k], point), 1.0 / stated.functions[k]->degree);
+    if (std::ranges::none_of(point, [](double x) { return std::isnan(x); }))
+      samples_.push_back(std::move(point));
+  }
 }
 
 std::optional<Nonvanishing::Trees> Nonvanishing::show(const Polynomial& f, Relation relation,
@@ -71,15 +82,15 @@ bool Nonvanishing::may_hold(const Polynomial& f, Relation relation,
 
 std::optional<Nonvanishing::Trees> Nonvanishing::search(const Polynomial& f, Relation relation,
                                                         const Conditions& conditions) const {
-  const auto offset = f.ring().variables().size() - unbounded_.size();
+  const auto offset = variables(stated_->factors).size();
   std::vector<std::string> halved;
-  for (std::size_t i = 0; i < unbounded_.size(); ++i)
-    if (f.degree(static_cast<int>(offset + i)) > 0) halved.push_back(unbounded_[i]);
+  for (std::size_t i = 0; i < stated_->unbounded.size(); ++i)
+    if (f.degree(static_cast<int>(offset + i)) > 0) halved.push_back(stated_->unbounded[i]);
   if (halved.size() > most_halved) return std::nullopt;
   const exact::RingPtr numbers = exact::Ring::make(f.ring().tower(), {});
   Trees trees;
   for (unsigned sides = 0; sides < 1U << halved.size(); ++sides) {
-    Factors factors = factors_;
+    Factors factors = stated_->factors;
     for (std::size_t j = 0; j < halved.size(); ++j) {
       const auto entry = [&](long value) { return numbers->constant(value); };
       const long direction = (sides >> j & 1U) != 0 ? 1 : -1;
@@ -88,11 +99,37 @@ std::optional<Nonvanishing::Trees> Nonvanishing::search(const Polynomial& f, Rel
                          {false, false},
                          2U});
     }
-    auto tree = search(f, relation, conditions, factors);
+    std::optional<SignProof> tree;
+    if (stated_->functions.empty())
+      tree = search(f, relation, conditions, factors);
+    else
+      tree = derive(f, relation, conditions, factors);
     if (!tree) return std::nullopt;
     trees.push_back(std::move(*tree));
   }
   return trees;
+}
+
+// Whether it holds variables of these factors and functions alone.
+bool Nonvanishing::is_covered(const Polynomial& g, const Factors& factors) const {
+  const std::vector<std::string> names = variables(factors);
+  const auto& all = g.ring().variables();
+  for (int i = 0; i < stated_->first_function(); ++i)
+    if (g.degree(i) > 0 && !std::ranges::count(names, all[i])) return false;
+  return true;
+}
+
+std::optional<SignProof> Nonvanishing::derive(const Polynomial& f, Relation relation,
+                                              const Conditions& conditions,
+                                              const Factors& factors) const {
+  Region region = make_region(*workshop_, factors, {}, stated_->functions);
+  const exact::RingPtr ring = prove::ring(*workshop_, region);
+  Conditions given;
+  for (const auto& condition : conditions)
+    if (is_covered(condition.formula, factors))
+      given.push_back({ring->embed(condition.formula), condition.relation});
+  region.where.insert(region.where.begin(), given.begin(), given.end());
+  return Derivation(*workshop_, std::move(region)).show(ring->embed(f), relation);
 }
 
 std::optional<Pieces> Nonvanishing::search(const Polynomial& f, Relation relation,
@@ -100,15 +137,9 @@ std::optional<Pieces> Nonvanishing::search(const Polynomial& f, Relation relatio
                                            const Factors& factors) const {
   const std::vector<std::string> names = variables(factors);
   const exact::RingPtr ring = exact::Ring::make(f.ring().tower(), names);
-  const auto& all = f.ring().variables();
-  const auto is_covered = [&](const Polynomial& g) {
-    for (std::size_t i = 0; i < all.size(); ++i)
-      if (g.degree(static_cast<int>(i)) > 0 && !std::ranges::count(names, all[i])) return false;
-    return true;
-  };
   Question question{factors, ring->embed(f), holds(relation, Sign::zero) == false, {}};
   for (const auto& condition : conditions)
-    if (is_covered(condition.formula))
+    if (is_covered(condition.formula, factors))
       question.where.push_back({ring->embed(condition.formula), condition.relation});
   for (const int side : {1, -1}) {
     const Relation shown = side > 0 ? Relation::positive : Relation::negative;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "prove/equations.h"
 #include "prove/subdivide.h"
 
 namespace seam::prove {
@@ -14,9 +15,9 @@ namespace seam::prove {
 class Nonvanishing {
  public:
   using Conditions = std::vector<Condition>;
-  using Trees = std::vector<certificate::Pieces>;
+  using Trees = std::vector<certificate::SignProof>;
 
-  Nonvanishing(Workshop&, Factors, std::vector<std::string> unbounded);
+  Nonvanishing(Workshop&, const Equations&);
 
   /// Evidence that `f relation 0`, as `certificate::Elimination` describes it, or nothing. The
   /// relation is not `zero`. Takes a bounded number of pieces.
@@ -36,9 +37,12 @@ class Nonvanishing {
   std::optional<certificate::Pieces> search(const exact::Polynomial& f, certificate::Relation,
                                             const Conditions&, const Factors&) const;
 
+  std::optional<certificate::SignProof> derive(const exact::Polynomial& f, certificate::Relation,
+                                               const Conditions&, const Factors&) const;
+  bool is_covered(const exact::Polynomial&, const Factors&) const;
+
   Workshop* workshop_;
-  Factors factors_;
-  std::vector<std::string> unbounded_;
+  const Equations* stated_;
   std::vector<std::vector<double>> samples_;
   std::vector<Known> known_;
 };

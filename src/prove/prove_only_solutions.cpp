@@ -26,6 +26,7 @@ using exact::Sign;
 namespace {
 
 constexpr int most_tries = 60;
+constexpr int most_adjoined = 3;  // values of functions
 
 Equations read(Workshop& workshop, const OnlySolutions& stated) {
   Equations result;
@@ -39,6 +40,15 @@ Equations read(Workshop& workshop, const OnlySolutions& stated) {
     names.push_back(unknown);
     result.unbounded.push_back(unknown);
   }
+  std::vector<Term> terms = stated.system;
+  for (const auto& condition : stated.domain.where) terms.push_back(condition.formula);
+  for (const auto& [numerators, denominators] : stated.solutions)
+    for (const auto* held : {&numerators, &denominators})
+      terms.insert(terms.end(), held->begin(), held->end());
+  result.functions = workshop.functions(terms);
+  for (const auto* function : result.functions) names.push_back(function->name);
+  for (const auto* function : result.functions)
+    result.radicands.push_back(workshop.expand(function->radicand, names));
   const exact::RingPtr ring = workshop.ring(names);
   std::vector<std::string> all = stated.for_all;
   std::vector<int> bound;
@@ -66,13 +76,14 @@ class Search {
     for (const Factor& factor : stated.factors)
       names_.insert(names_.end(), factor.variables.begin(), factor.variables.end());
     names_.insert(names_.end(), stated.unbounded.begin(), stated.unbounded.end());
+    for (const auto* function : stated.functions) names_.push_back(function->name);
   }
 
   // Whether a point of these facts refutes.
   bool operator()(const Facts& facts) {
     for (int attempt = 0; attempt < most_tries && !workshop_.late(); ++attempt) {
       values_ = chosen(attempt);
-      if (solve(facts, facts.solved.size())) return true;
+      if (add_roots() && solve(facts, facts.solved.size())) return true;
     }
     return false;
   }
@@ -98,6 +109,26 @@ class Search {
     for (std::size_t i = 0; i < stated_.unbounded.size(); ++i, place = (5 * place + 3) % 61)
       values.push_back(numbers->constant(Rational(place % 13 - 6, 1 + place % 3)));
     return values;
+  }
+
+  // The values of the functions, where they have one. A few may be new numbers.
+  bool add_roots() {
+    values_.resize(names_.size(), workshop_.numbers()->constant(0));
+    for (std::size_t k = 0; k < stated_.functions.size(); ++k) {
+      const Polynomial radicand = value(stated_.radicands[k]);
+      Polynomial& root = values_[static_cast<std::size_t>(stated_.first_function()) + k];
+      if (exact::sign(radicand) == Sign::negative) return false;
+      if (radicand.is_zero()) continue;
+      exact::Univariate power(stated_.functions[k]->degree + 1,
+                              workshop_.numbers()->constant(0));
+      power.front() = -radicand;
+      power.back() = workshop_.numbers()->constant(1);
+      const auto before = workshop_.tower();
+      if (adjoined_ == most_adjoined) return false;
+      root = workshop_.adjoin(power, exact::real_roots(power).back());
+      if (workshop_.tower() != before) ++adjoined_;
+    }
+    return true;
   }
 
   Polynomial value(const Polynomial& f) const {
@@ -136,6 +167,12 @@ class Search {
   }
 
   bool refutes() const {
+    for (std::size_t k = 0; k < stated_.functions.size(); ++k) {
+      const Polynomial root = workshop_.numbers()->embed(
+          values_[static_cast<std::size_t>(stated_.first_function()) + k]);
+      if (!(root.pow(stated_.functions[k]->degree) - value(stated_.radicands[k])).is_zero())
+        return false;
+    }
     std::size_t next = 0;
     for (const Factor& factor : stated_.factors)
       if (!lies_in(factor, next)) return false;
@@ -174,6 +211,7 @@ class Search {
   const Equations& stated_;
   std::vector<std::string> names_;
   std::vector<Polynomial> values_;  // by place in the ring
+  int adjoined_ = 0;
 };
 
 }  // namespace

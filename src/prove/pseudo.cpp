@@ -14,7 +14,8 @@ Polynomial initial(const Polynomial& f, int variable) {
   return f.coefficients({variable}).rbegin()->second;
 }
 
-PseudoDivision pseudo_divide(const Polynomial& a, const Polynomial& b, int variable) {
+PseudoDivision pseudo_divide(const Equations& stated, const Polynomial& a, const Polynomial& b,
+                             int variable) {
   const exact::Ring& ring = a.ring();
   const int degree = b.degree(variable);
   const Polynomial lead = initial(b, variable);
@@ -27,11 +28,11 @@ PseudoDivision pseudo_divide(const Polynomial& a, const Polynomial& b, int varia
         factor * initial(result.remainder, variable) * ring.variable(variable).pow(excess);
     if (!is_number) {
       ++result.power;
-      result.quotient = lead * result.quotient;
+      result.quotient = stated.reduced(lead * result.quotient);
       result.remainder = lead * result.remainder;
     }
     result.quotient = result.quotient + term;
-    result.remainder = result.remainder - term * b;
+    result.remainder = stated.reduced(result.remainder - term * b);
   }
   return result;
 }

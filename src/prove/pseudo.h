@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "exact/polynomial.h"
+#include "prove/equations.h"
 
 namespace seam::prove {
 
@@ -9,13 +9,13 @@ namespace seam::prove {
 exact::Polynomial initial(const exact::Polynomial&, int variable);
 
 /// initial(b)^power * a = quotient * b + remainder, the remainder of lower degree than b in the
-/// variable. Where the initial is a number the power is 0.
+/// variable, up to what functions are. Where the initial is a number the power is 0.
 struct PseudoDivision {
   int power = 0;
   exact::Polynomial quotient, remainder;
 };
 /// Requires that b holds the variable.
-PseudoDivision pseudo_divide(const exact::Polynomial& a, const exact::Polynomial& b,
-                             int variable);
+PseudoDivision pseudo_divide(const Equations&, const exact::Polynomial& a,
+                             const exact::Polynomial& b, int variable);
 
 }  // namespace seam::prove
