@@ -147,8 +147,8 @@ struct Combination {
   bool operator==(const Combination&) const = default;
 };
 
-/// A factor formula^power of something that vanishes. That it does not vanish itself is either a
-/// condition, or shown by trees (see Elimination); with neither it is a case.
+/// A factor formula^power of something that vanishes. That it does not vanish itself is either
+/// a condition, or shown by trees (see Elimination); with neither it is a case.
 struct EliminationFactor {
   Term formula = 0;
   int power = 1;
@@ -166,33 +166,36 @@ struct EliminationStep {
     outside    ///< condition `index` is broken
   };
   Kind kind = Kind::product;
-  Combination combination;                 ///< product, outside
-  std::vector<EliminationFactor> factors;  ///< product
-  Term formula = 0;                        ///< cases; outside: the multiplier
-  Term remainder = 0;                      ///< outside
-  int index = 0;                           ///< solution, outside
-  std::vector<int> equations;              ///< solution
+  Combination combination;                  ///< product, outside
+  std::vector<EliminationFactor> factors;   ///< product
+  Term formula = 0;                         ///< cases; outside: the multiplier
+  Term remainder = 0;                       ///< outside
+  int index = 0;                            ///< solution, outside
+  std::vector<int> equations;               ///< solution
   std::vector<SignProof> positive, broken;  ///< outside
   bool operator==(const EliminationStep&) const = default;
 };
 
-/// OnlySolutions: a tree of cases, depth first. What is known at first are the equations F_i = 0, F_i the
-/// coefficients of the system in the order laid down for Roots, and the conditions of the domain.
+/// OnlySolutions: a tree of cases, depth first. What is known at first are the equations
+/// F_i = 0, F_i the coefficients of the system in the order laid down for Roots, and the
+/// conditions of the domain.
 ///
-/// product: for each case, in order, there follows what comes of the equation `formula` = 0, known from
-///   there on. Without a case there is no such point.
-/// cases: there follows what comes of the equation `formula` = 0, then what comes of the condition
-///   `formula` != 0; each is the last one known there.
-/// solution: equation `equations[j]` is denominators[j] * x_j - numerators[j].
-/// outside: formula * (that of the condition) = combination + remainder; the trees `positive` show formula > 0,
-///   the trees `broken` that the remainder breaks the condition.
+///   product   for each case, in order, there follows what comes of the equation
+///             `formula` = 0, known from there on. Without a case there is no such point.
+///   cases     there follows what comes of the equation `formula` = 0, then what comes of the
+///             condition `formula` != 0; each is the last one known there.
+///   solution  equation `equations[j]` is denominators[j] * x_j - numerators[j].
+///   outside   formula * (that of the condition) = combination + remainder; the trees
+///             `positive` show formula > 0, the trees `broken` that the remainder breaks the
+///             condition.
 ///
-/// Trees are about a region (see Reduction), for all functions of the obligation: the domain, and the
-/// conditions known there. Of the unknowns that belong to no factor those that the formula holds,
-/// in their order x_1, ..., x_k, are taken from both sides of 0: there are 2^k trees, the first
-/// with all x <= 0, the next with x_1 >= 0, then x_2 >= 0 alone, and so on, over the factors of the
-/// domain and one for each x, with the corners (1, 0), (0, -1) or (1, 0), (0, 1). Conditions
-/// that hold other variables are left out there, and the others are counted without them.
+/// Trees are about a region (see Reduction), for all functions of the obligation: the domain,
+/// and the conditions known there. Of the unknowns that belong to no factor those that the
+/// formula holds, in their order x_1, ..., x_k, are taken from both sides of 0: there are 2^k
+/// trees, the first with all x <= 0, the next with x_1 >= 0, then x_2 >= 0 alone, and so on,
+/// over the factors of the domain and one for each x, with the corners (1, 0), (0, -1) or (1,
+/// 0), (0, 1). Conditions that hold other variables are left out there, and the others are
+/// counted without them.
 struct Elimination {
   std::vector<EliminationStep> steps;
   bool operator==(const Elimination&) const = default;
@@ -204,20 +207,26 @@ struct Box {
   bool operator==(const Box&) const = default;
 };
 
-/// OneSolution, in n unknowns, by a zero of n polynomials G_i = sum combination[i][j] * F_j, the F_j as in
-/// Roots; there are n of them, and the determinant of the combination is not 0.
+/// OneSolution, in n unknowns, by a zero of n polynomials G_i = sum combination[i][j] * F_j,
+/// the F_j as in Roots; there are n of them, and the determinant of the combination is not 0.
 ///
-/// A solution lies in the box `inner`, which lies in the domain: G_i < 0 where x_i is lowest there, G_i > 0
-///   where it is highest (`faces`: two trees for each i, over the segments of the other unknowns in their order); and each
-///   condition holds all over it (`conditions`, one tree each).
-/// The box `outer`, which holds `inner`, has one at most: for each i, and each choice of signs, the derivative of
-///   G_i with respect to x_i plus those with respect to the others, times the signs, is > 0 there (`dominance`: for each i, 2^(n-1)
-///   trees; bit k of the number of a tree set: the sign at the k-th of the others, in their order, is -).
-/// All solutions lie in `outer`: `cover` has two trees for each j, for x_j - low_j >= 0 and high_j - x_j >= 0 over the
-///   domain, cut by its conditions, then F_1 = 0, ..., F_n = 0, then G_1 = 0, ..., G_n = 0.
-/// With the inner box in that of the statement this shows it. With an inner box apart from that, it
-/// refutes, and only inner box, faces and conditions are looked at. With no boxes and no combination, and `cover` one tree for
-/// -1 >= 0 there (without the G), there is no solution: it refutes.
+///   inner      A solution lies in this box, which lies in the domain: G_i < 0 where x_i is
+///              lowest there, G_i > 0 where it is highest (`faces`: two trees for each i, over
+///              the segments of the other unknowns in their order); and each condition holds
+///              all over it (`conditions`, one tree each).
+///   outer      This box, which holds the inner one, has one at most: for each i, and each
+///              choice of signs, the derivative of G_i with respect to x_i plus those with
+///              respect to the others, times the signs, is > 0 there (`dominance`: for each i,
+///              2^(n-1) trees; bit k of the number of a tree set: the sign at the k-th of the
+///              others, in their order, is -).
+///   cover      All solutions lie in the outer box: two trees for each j, for x_j - low_j >= 0
+///              and high_j - x_j >= 0 over the domain, cut by its conditions, then by
+///              F_1 = 0, ..., F_n = 0, then by G_1 = 0, ..., G_n = 0.
+///
+/// With the inner box in that of the statement this shows it. With an inner box apart from
+/// that, it refutes, and only inner box, faces and conditions are looked at. With no boxes and
+/// no combination, and `cover` one tree for -1 >= 0 there (without the G), there is no solution:
+/// it refutes.
 struct Isolation {
   std::vector<std::vector<std::string>> combination;  ///< rationals
   Box inner, outer;

@@ -198,7 +198,8 @@ class Terms {
     (*this)(step.combination);
     for (const EliminationFactor& factor : step.factors) {
       demand_term(factor.formula);
-      demand(factor.power >= 1 && factor.condition >= -1, "a factor with an index out of place");
+      demand(factor.power >= 1 && factor.condition >= -1,
+             "a factor with an index out of place");
       demand_sound(factor.trees);
     }
     demand_term(step.formula);

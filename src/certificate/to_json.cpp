@@ -242,7 +242,8 @@ Json trees(const std::vector<Pieces>& entries) {
 }
 
 Json to_json(const Combination& combination) {
-  return {{"equations", list(combination.equations)}, {"cofactors", list(combination.cofactors)}};
+  return {{"equations", list(combination.equations)},
+          {"cofactors", list(combination.cofactors)}};
 }
 
 Json to_json(const EliminationFactor& factor) {

@@ -6,8 +6,8 @@
 #include "check/rules.h"
 #include "check/system.h"
 
-// Functions are further coordinates of a point, and its values of them are the roots that they are.
-// A point of the domain that meets the conditions, solves the system and is none of the
+// Functions are further coordinates of a point, and its values of them are the roots that they
+// are. A point of the domain that meets the conditions, solves the system and is none of the
 // solutions refutes; an elimination proves.
 
 namespace seam::check {
@@ -25,7 +25,8 @@ SystemOfEquations read(Context& context, const OnlySolutions& stated) {
   system.functions = context.functions(std::move(terms));
   system.domain = make_region(context, {stated.domain.factors, {}}, {});
   // Throws where a function is of other variables than the domain's.
-  std::set<int> parameters = variables(with_functions(context, system.domain, system.functions));
+  std::set<int> parameters =
+      variables(with_functions(context, system.domain, system.functions));
   system.variables = parameters;
   demand(!context.variables(stated.unknowns).empty(), "degenerate: no unknown");
   for (const std::string& name : stated.unknowns) {

@@ -116,7 +116,9 @@ bool Eliminator::solve(Facts facts) {
     if (product) return branch(facts, *product);
     if (facts.open.empty()) return conclude(facts);
     const auto pivot = choose(facts, false);
-    if (!pivot) return give_up("unsupported", "an equation without variables");
+    if (!pivot)
+      return give_up("unsupported",
+                     "an equation between parameters that may hold for some of their values");
     const Facts::Open& open = facts.open[pivot->place];
     if (!pivot->is_sure)
       return distinguish(facts, initial(facts.equations[open.equation], pivot->variable));
@@ -266,7 +268,8 @@ Eliminator::Outcome Eliminator::reduce(Facts& facts, const Pivot& pivot) {
       facts.open.push_back(std::move(open));
       continue;
     }
-    const auto [power, quotient, remainder] = pseudo_divide(*stated_, f, divisor, pivot.variable);
+    const auto [power, quotient, remainder] =
+        pseudo_divide(*stated_, f, divisor, pivot.variable);
     const Outcome outcome =
         derive(facts, {{open.equation, lead.pow(power)}, {by.equation, -quotient}}, remainder);
     if (outcome != Outcome::goes_on) return outcome;

@@ -30,7 +30,8 @@ class Splitting {
       result_.multiplier = result_.multiplier * exact::inverse(base).pow(exponent);
       return;
     }
-    if ((base.ring().tower() || !stated_.functions.empty()) && (by_solution(base, exponent) || by_roots(base, exponent)))
+    if ((base.ring().tower() || !stated_.functions.empty()) &&
+        (by_solution(base, exponent) || by_roots(base, exponent)))
       return;
     const auto same = std::ranges::find_if(
         result_.powers, [&](const Power& power) { return power.base == base; });
@@ -48,7 +49,8 @@ class Splitting {
       for (std::size_t j = 0; j < solution.size(); ++j) {
         const int variable = stated_.unknowns[j];
         if (solution[j].degree(variable) != 1 || base.degree(variable) < 2) continue;
-        const auto [power, quotient, remainder] = pseudo_divide(stated_, base, solution[j], variable);
+        const auto [power, quotient, remainder] =
+            pseudo_divide(stated_, base, solution[j], variable);
         if (!remainder.is_zero()) continue;
         result_.multiplier =
             result_.multiplier * initial(solution[j], variable).pow(power * exponent);

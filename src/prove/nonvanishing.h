@@ -37,8 +37,9 @@ class Nonvanishing {
   std::optional<certificate::Pieces> search(const exact::Polynomial& f, certificate::Relation,
                                             const Conditions&, const Factors&) const;
 
-  std::optional<certificate::SignProof> derive(const exact::Polynomial& f, certificate::Relation,
-                                               const Conditions&, const Factors&) const;
+  std::optional<certificate::SignProof> derive(const exact::Polynomial& f,
+                                               certificate::Relation, const Conditions&,
+                                               const Factors&) const;
   bool is_covered(const exact::Polynomial&, const Factors&) const;
 
   Workshop* workshop_;

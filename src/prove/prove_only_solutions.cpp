@@ -178,10 +178,9 @@ class Search {
       if (!lies_in(factor, next)) return false;
     return std::ranges::all_of(stated_.system,
                                [&](const Polynomial& f) { return value(f).is_zero(); }) &&
-           std::ranges::all_of(stated_.conditions,
-                               [&](const Condition& c) {
-                                 return holds(c.relation, sign(c.formula));
-                               }) &&
+           std::ranges::all_of(
+               stated_.conditions,
+               [&](const Condition& c) { return holds(c.relation, sign(c.formula)); }) &&
            std::ranges::all_of(stated_.solutions, [&](const auto& solution) {
              return std::ranges::any_of(
                  solution, [&](const Polynomial& f) { return !value(f).is_zero(); });

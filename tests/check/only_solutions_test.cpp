@@ -33,7 +33,7 @@ EliminationFactor a_case(Term formula, int power = 1) {
 EliminationFactor by_condition(Term formula, int condition) {
   return {formula, 1, condition, {}};
 }
-EliminationFactor by_trees(Term formula, std::vector<Pieces> trees) {
+EliminationFactor by_trees(Term formula, std::vector<SignProof> trees) {
   return {formula, 1, -1, std::move(trees)};
 }
 
@@ -212,6 +212,26 @@ TEST_F(OnlySolutionsRule, a_witness_is_a_further_solution) {
 
 TEST_F(OnlySolutionsRule, a_solution_holds_parameters_alone) {
   EXPECT_OPEN(found(stated(shared, {x}), {}), "holds more than parameters");
+}
+
+TEST_F(OnlySolutionsRule, a_root_of_a_function_is_what_its_square_says) {
+  const Term s = k.symbol("s");
+  k.statement.functions = {{"s", k.difference(one, k.power(c, 2)), 2}};
+  const Term circle = k.sum({k.power(x, 2), k.power(c, 2), k.number(-1)});
+  const Term minus_s = k.scaled(-1, s), plus = k.sum({x, s}), minus = k.difference(x, s);
+  const std::vector<EliminationStep> steps = {
+      product({{0}, {one}}, {a_case(minus), a_case(plus)}), solution(0, {1}), solution(1, {1})};
+  EXPECT_HOLDS(found(stated(circle, {s, minus_s}), steps));
+  EXPECT_OPEN(found(stated(circle, {s, s}), steps), "does not say what an unknown is");
+}
+
+TEST_F(OnlySolutionsRule, a_function_is_one_of_the_variables_of_the_domain) {
+  const Term s = k.symbol("s");
+  k.statement.functions = {{"s", k.symbol("u"), 2}};
+  OnlySolutions only = stated(k.product({s, x}), {nil});
+  only.for_all = {"u"};
+  EXPECT_OPEN(found(only, {product({{0}, {one}}, {a_case(s), a_case(x)})}),
+              "a variable outside the domain");
 }
 
 TEST_F(OnlySolutionsRule, no_step_shows_nothing) {
