@@ -6,10 +6,10 @@
 
 #include "exact/recognise.h"
 
-// Of each function the runs of a mesh on which it is above the bound, their ends made precise by
-// bisection. From the beginning on, the run that leads farthest is followed, and of those that
-// overlap with it the one that leads farthest after it. Each leads farther than that before, so
-// this ends. Cuts lie in the middle of overlaps, where both functions have room.
+// Of each function the runs of a mesh on which it is above the bound, their ends made precise
+// by bisection. From the beginning on, the run that leads farthest is followed, and of those
+// that overlap with it the one that leads farthest after it. Each leads farther than that
+// before, so this ends. Cuts lie in the middle of overlaps, where both functions have room.
 
 namespace seam::claims {
 namespace {
@@ -96,9 +96,9 @@ std::vector<Stretch> cover(const std::vector<std::function<double(double)>>& fun
     if (!next) return {};
     const double low = std::max(reached, next->begin);
     const double cut = (low + run->end) / 2;
-    result.push_back({run->function, run->negative,
-                      exact::simplest(Rational(from + side * cut),
-                                      Rational((run->end - low) / 4))});
+    result.push_back(
+        {run->function, run->negative,
+         exact::simplest(Rational(from + side * cut), Rational((run->end - low) / 4))});
     reached = cut;
     run = next;
   }

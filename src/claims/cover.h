@@ -10,8 +10,8 @@
 // Search only.
 namespace seam::claims {
 
-/// A function that seems to be >= a bound, or its negative, from where the last stretch ended up
-/// to `end`.
+/// A function that seems to be >= a bound, or its negative, from where the last stretch ended
+/// up to `end`.
 struct Stretch {
   std::size_t function = 0;
   bool negative = false;

@@ -239,6 +239,8 @@ std::optional<Attained> exactly(Evaluator& evaluator, const Found& found) {
 
 // The trials with the best value, about; centres before points of the grid.
 std::vector<Trial> best_trials(Evaluator& evaluator, const Extremum& extremum) {
+  if (std::ranges::any_of(extremum.parts, has_parameter))
+    throw Unsupported("the value of an extremum that depends on a parameter");
   std::vector<Trial> all = trials(evaluator, extremum);
   const double side = extremum.maximum ? 1 : -1;
   double best = -HUGE_VAL;

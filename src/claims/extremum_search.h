@@ -24,8 +24,8 @@ struct Attained {
 /// the tower may grow by what they need. Throws `Unsupported` where there are none.
 std::vector<Attained> attained(Evaluator&, const Extremum&, std::size_t most);
 
-/// A point whose value differs from the extremum by about 2^-bits at most. Of functions with roots:
-/// the best of a few points.
+/// A point whose value differs from the extremum by about 2^-bits at most. Of functions with
+/// roots: the best of a few points.
 Attained nearly_attained(Evaluator&, const Extremum&, long bits);
 
 /// About the largest (least) value.

@@ -116,8 +116,6 @@ std::vector<Trial> centres(Evaluator& evaluator, const Extremum& extremum) {
 }
 
 std::vector<Trial> trials(Evaluator& evaluator, const Extremum& extremum) {
-  if (std::ranges::any_of(extremum.parts, has_parameter))
-    throw Unsupported("the value of an extremum that depends on a parameter");
   std::vector<Trial> result = centres(evaluator, extremum);
   add(result, evaluator, extremum, false);
   return result;

@@ -18,7 +18,7 @@ struct Trial {
 
 /// The corners and centres of all faces.
 std::vector<Trial> centres(Evaluator&, const Extremum&);
-/// These, and the points of a grid. Throws `Unsupported` where a parameter occurs.
+/// These, and the points of a grid.
 std::vector<Trial> trials(Evaluator&, const Extremum&);
 
 /// Its coordinates.

@@ -9,9 +9,9 @@
 #include "claims/stating.h"
 #include "exact/recognise.h"
 
-// Let M be the largest |E(., v)|. If the values on either side of v are covered by intervals, on
-// each of which |E(x, a)| >= M at one point x, then no a does better than v. If for some a all
-// |E(., a)| are less than |E(x, v)| at some x, then that a does. Which of the two is stated
+// Let M be the largest |E(., v)|. If the values on either side of v are covered by intervals,
+// on each of which |E(x, a)| >= M at one point x, then no a does better than v. If for some a
+// all |E(., a)| are less than |E(x, v)| at some x, then that a does. Which of the two is stated
 // rests on values in doubles; each says its own only. Intervals share their ends, so nothing
 // is left out between them.
 
@@ -81,33 +81,23 @@ class Question {
     return result;
   }
 
-  // E at places where |E(., v)| may be large, as functions of the unknown: the corners and centres
-  // of all faces, and these places of `at`.
-  std::vector<Scalar> along(const std::vector<Attained>& places) const {
-    std::vector<Scalar> result;
-    const auto add = [&](std::size_t part, const std::map<std::string, Formula>& coordinates) {
-      std::map<std::string, Scalar> point;
-      for (const auto& [name, coordinate] : coordinates) point.emplace(name, coordinate);
-      result.push_back(
-          substitute(question_.errors[part].value, point, evaluator_.numbers));
-    };
-    for (const Attained& place : places) add(place.part / 2, place.point);
-    const Extremum errors{true, question_.errors};
-    for (const Trial& trial : centres(evaluator_, errors))
-      add(trial.part, point_of(errors, trial));
-    return result;
-  }
-
-  // A function of the unknown, in doubles.
-  std::function<double(double)> in_doubles(const Scalar& f) const {
-    std::map<std::string, double> point;
-    for (const std::string& symbol : symbolic::symbols(f.numerator * f.denominator))
-      if (symbolic::is_generator(symbol))
-        point[symbol] = evaluator_.numbers.approximate(Formula::symbol(symbol));
-    return [this, f, point](double a) mutable {
-      point[question_.unknown] = a;
-      return approximate(f, point, evaluator_.numbers);
-    };
+  // Stretches from v to an end, and the functions of the unknown that they are of: E at these
+  // places of `at`, at the corners and centres of all faces, or else at more points.
+  struct Side {
+    std::vector<Scalar> errors;
+    std::vector<Stretch> stretches;
+  };
+  Side side(const std::vector<Attained>& places, double largest, double v, double end) const {
+    for (const auto tried : {centres, trials}) {
+      Side result{along(places, tried(evaluator_, {true, question_.errors})), {}};
+      std::vector<std::function<double(double)>> functions;
+      for (const Scalar& error : result.errors) functions.push_back(in_doubles(error));
+      result.stretches = cover(functions, largest, v, end);
+      if (!result.stretches.empty()) return result;
+    }
+    throw Unsupported(
+        "'minimax' where no points were found that show that the values on one side do no "
+        "better");
   }
 
   // Numbers in the range at many distances from v, those below it first.
@@ -133,6 +123,32 @@ class Question {
   }
 
  private:
+  std::vector<Scalar> along(const std::vector<Attained>& places,
+                            const std::vector<Trial>& tried) const {
+    std::vector<Scalar> result;
+    const auto add = [&](std::size_t part, const std::map<std::string, Formula>& coordinates) {
+      std::map<std::string, Scalar> point;
+      for (const auto& [name, coordinate] : coordinates) point.emplace(name, coordinate);
+      result.push_back(substitute(question_.errors[part].value, point, evaluator_.numbers));
+    };
+    for (const Attained& place : places) add(place.part / 2, place.point);
+    const Extremum errors{true, question_.errors};
+    for (const Trial& trial : tried) add(trial.part, point_of(errors, trial));
+    return result;
+  }
+
+  // A function of the unknown, in doubles.
+  std::function<double(double)> in_doubles(const Scalar& f) const {
+    std::map<std::string, double> point;
+    for (const std::string& symbol : symbolic::symbols(f.numerator * f.denominator))
+      if (symbolic::is_generator(symbol))
+        point[symbol] = evaluator_.numbers.approximate(Formula::symbol(symbol));
+    return [this, f, point](double a) mutable {
+      point[question_.unknown] = a;
+      return approximate(f, point, evaluator_.numbers);
+    };
+  }
+
   Evaluator& evaluator_;
   const Minimax& question_;
 };
@@ -208,9 +224,6 @@ Proposition Stating::best_choice(const Expression& at, const Minimax& minimax,
 
   const std::vector<Attained> places = attained(evaluator, here, 16);
   const Scalar largest(places[0].value);
-  const std::vector<Scalar> errors = question.along(places);
-  std::vector<std::function<double(double)>> functions;
-  for (const Scalar& error : errors) functions.push_back(question.in_doubles(error));
   // Points for one side, at each of which the error is never less than the largest on a part of
   // it.
   const auto on_side = [&](bool above) {
@@ -218,15 +231,9 @@ Proposition Stating::best_choice(const Expression& at, const Minimax& minimax,
     const bool open = above ? range.open_high : range.open_low;
     std::vector<Proposition> shown;
     if (end && numbers.equal(*end, v)) return shown;
-    const double to = end     ? numbers.approximate(*end)
-                      : above ? HUGE_VAL
-                              : -HUGE_VAL;
-    const auto stretches =
-        cover(functions, numbers.approximate(largest.numerator), numbers.approximate(v), to);
-    if (stretches.empty())
-      throw Unsupported(
-          "'minimax' where no points were found that show that the values on one side do no "
-          "better");
+    const double to = end ? numbers.approximate(*end) : above ? HUGE_VAL : -HUGE_VAL;
+    const auto [errors, stretches] = question.side(
+        places, numbers.approximate(largest.numerator), numbers.approximate(v), to);
     Formula from = v;
     for (const Stretch& stretch : stretches) {
       const std::optional<Formula> until =
@@ -236,8 +243,7 @@ Proposition Stating::best_choice(const Expression& at, const Minimax& minimax,
       side.factors = {above ? part_above(minimax.unknown, from, until, is_open)
                             : part_below(minimax.unknown, from, until, is_open)};
       const Scalar& error = errors[stretch.function];
-      const Constraint c =
-          compared(stretch.negative ? -error : error, ">=", largest, side, at);
+      const Constraint c = compared(stretch.negative ? -error : error, ">=", largest, side, at);
       shown.push_back(holds(c.formula, c.relation, side, at,
                             above ? "at one point the error is not less for larger values"
                                   : "at one point the error is not less for smaller values"));
