@@ -110,9 +110,20 @@ Proposition Stating::everywhere(const Expression& at, const Extremum& extremum,
     for (const symbolic::Domain& domain : pieces(part.domain, cut)) {
       Context inner = context;
       inner.factors.insert(inner.factors.end(), domain.factors.begin(), domain.factors.end());
-      const Constraint c = compared(part.value, operation, bound, inner, at);
-      inner.where.insert(inner.where.end(), domain.where.begin(), domain.where.end());
-      parts.push_back(holds(c.formula, c.relation, inner, at));
+      Context full = inner;
+      full.where.insert(full.where.end(), domain.where.begin(), domain.where.end());
+      const auto state = [&](const Scalar& value) {
+        const Constraint c = compared(value, operation, bound, inner, at);
+        parts.push_back(holds(c.formula, c.relation, full, at));
+      };
+      // |E| <= b says that E <= b and -E <= b.
+      const auto inside = inside_absolute(part.value);
+      if (inside && (operation == "<" || operation == "<=")) {
+        state(*inside);
+        state(-*inside);
+      } else {
+        state(part.value);
+      }
     }
   return symbolic::all(std::move(parts));
 }

@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <functional>
 #include <set>
 #include <utility>
 
 #include "bernstein/critical.h"
 #include "bernstein/extremum.h"
 #include "bernstein/refine.h"
+#include "claims/extremum_trials.h"
 #include "exact/recognise.h"
 #include "exact/roots.h"
 #include "symbolic/expand.h"
@@ -17,6 +19,7 @@
 // A place is found in doubles and followed to many digits. Its coordinates are then guessed:
 // fractions, numbers of the field so far, roots of a polynomial with small integers, which the
 // field grows by. A guess counts where all derivatives within the face are 0 there, exactly.
+// Of functions with roots only corners, centres of faces and the points of a grid are tried.
 
 namespace seam::claims {
 namespace {
@@ -64,14 +67,6 @@ Polynomial expanded(const Numbers& numbers, const Formula& all,
                              field.values)(f);
 }
 
-bool has_parameter(const Extremum::Part& part) {
-  std::set<std::string> open = symbolic::variables(part.value.numerator);
-  open.merge(symbolic::variables(part.value.denominator));
-  for (const Simplex& factor : part.domain.factors)
-    for (const std::string& variable : factor.variables) open.erase(variable);
-  return !open.empty();
-}
-
 Ground ground(Evaluator& evaluator, const Extremum& extremum, std::size_t index) {
   const Extremum::Part& part = extremum.parts[index];
   std::vector<int> dimensions;
@@ -89,9 +84,6 @@ Ground ground(Evaluator& evaluator, const Extremum& extremum, std::size_t index)
     throw Unsupported("the value of an extremum that depends on a parameter");
   const Formula above = symbolic::subst(part.value.numerator, place);
   const Formula below = symbolic::subst(part.value.denominator, place);
-  symbolic::Atoms atoms;
-  atoms.add(above * below);
-  if (!atoms.entries().empty()) throw Unsupported("the place of an extremum of a root");
   Polynomial numerator = expanded(evaluator.numbers, above * below, names, above);
   Polynomial denominator = expanded(evaluator.numbers, above * below, names, below);
   std::vector<double> centre;
@@ -199,6 +191,19 @@ class Guess {
   std::vector<Formula> at_;
 };
 
+Attained attained_at(Evaluator& evaluator, const Extremum::Part& part, std::size_t index,
+                     std::map<std::string, Formula> point) {
+  Attained result{index, std::move(point), {}, 0};
+  std::map<std::string, Scalar> map;
+  for (auto& [name, coordinate] : result.point) {
+    coordinate = evaluator.numbers.normal_form(coordinate);
+    map.emplace(name, Scalar(coordinate));
+  }
+  result.here = substitute(part.value, map, evaluator.numbers);
+  result.value = evaluator.numbers.normal_form(result.here.numerator);
+  return result;
+}
+
 Attained attained_at(Evaluator& evaluator, const Ground& ground,
                      const Landscape::Restriction& f, const std::vector<Formula>& at) {
   std::map<std::string, Formula> coordinates;
@@ -207,15 +212,7 @@ Attained attained_at(Evaluator& evaluator, const Ground& ground,
   std::vector<Formula> shares;
   for (const Polynomial& x : f.place)
     shares.push_back(symbolic::subst(symbolic::formula(x), coordinates));
-  Attained result{ground.index, in_shares(*ground.part, shares), {}, 0};
-  std::map<std::string, Scalar> map;
-  for (auto& [name, coordinate] : result.point) {
-    coordinate = evaluator.numbers.normal_form(coordinate);
-    map.emplace(name, Scalar(coordinate));
-  }
-  result.here = substitute(ground.part->value, map, evaluator.numbers);
-  result.value = evaluator.numbers.normal_form(result.here.numerator);
-  return result;
+  return attained_at(evaluator, *ground.part, ground.index, in_shares(*ground.part, shares));
 }
 
 std::optional<Attained> exactly(Evaluator& evaluator, const Found& found) {
@@ -240,6 +237,46 @@ std::optional<Attained> exactly(Evaluator& evaluator, const Found& found) {
   }
 }
 
+// The trials with the best value, about; centres before points of the grid.
+std::vector<Trial> best_trials(Evaluator& evaluator, const Extremum& extremum) {
+  if (std::ranges::any_of(extremum.parts, has_parameter))
+    throw Unsupported("the value of an extremum that depends on a parameter");
+  std::vector<Trial> all = trials(evaluator, extremum);
+  const double side = extremum.maximum ? 1 : -1;
+  double best = -HUGE_VAL;
+  for (const Trial& trial : all)
+    if (side * trial.value > best) best = side * trial.value;
+  std::erase_if(all, [&](const Trial& trial) {
+    return !(side * trial.value >= best - 1e-12 * std::max(1.0, std::abs(best)));
+  });
+  if (all.empty()) throw Unsupported("no place was found where this extremum is attained");
+  return all;
+}
+
+Attained attained_at(Evaluator& evaluator, const Extremum& extremum, const Trial& trial) {
+  return attained_at(evaluator, extremum.parts[trial.part], trial.part,
+                     point_of(extremum, trial));
+}
+
+// Places that the best may be attained at, one after the other; null where one was not
+// recognised.
+using Candidates = std::vector<std::function<std::optional<Attained>()>>;
+
+Candidates candidates(Evaluator& evaluator, const Extremum& extremum) {
+  Candidates result;
+  if (has_roots(extremum)) {
+    for (const Trial& trial : best_trials(evaluator, extremum))
+      if (trial.is_centre)
+        result.emplace_back([&evaluator, &extremum, trial] {
+          return std::optional(attained_at(evaluator, extremum, trial));
+        });
+  } else {
+    for (const Found& found : best_spots(evaluator, extremum))
+      result.emplace_back([&evaluator, found] { return exactly(evaluator, found); });
+  }
+  return result;
+}
+
 bool is_before(const Numbers& numbers, const Extremum& extremum, const Attained& a,
                const Attained& b) {
   if (a.part != b.part) return a.part < b.part;
@@ -256,9 +293,9 @@ bool is_before(const Numbers& numbers, const Extremum& extremum, const Attained&
 std::vector<Attained> attained(Evaluator& evaluator, const Extremum& extremum,
                                std::size_t most) {
   std::vector<Attained> best;
-  const std::vector<Found> spots = best_spots(evaluator, extremum);
-  for (std::size_t i = 0; i < spots.size() && best.size() < most; ++i) {
-    auto place = exactly(evaluator, spots[i]);
+  for (const auto& candidate : candidates(evaluator, extremum)) {
+    if (best.size() >= most) break;
+    auto place = candidate();
     if (!place) continue;
     if (!best.empty()) {
       const Formula gain =
@@ -283,6 +320,8 @@ std::vector<Attained> attained(Evaluator& evaluator, const Extremum& extremum,
 }
 
 Attained nearly_attained(Evaluator& evaluator, const Extremum& extremum, long bits) {
+  if (has_roots(extremum))
+    return attained_at(evaluator, extremum, best_trials(evaluator, extremum).front());
   const Found found = best_spots(evaluator, extremum).front();
   const auto f = found.ground.landscape.on(found.spot.face);
   std::optional<std::vector<Rational>> location;
@@ -299,6 +338,7 @@ Attained nearly_attained(Evaluator& evaluator, const Extremum& extremum, long bi
 }
 
 double about(Evaluator& evaluator, const Extremum& extremum) {
+  if (has_roots(extremum)) return best_trials(evaluator, extremum).front().value;
   double value = -HUGE_VAL;
   for (const Found& found : best_spots(evaluator, extremum))
     value = std::max(value, found.spot.value);
@@ -308,7 +348,7 @@ double about(Evaluator& evaluator, const Extremum& extremum) {
 bool is_oblique(Evaluator& evaluator, const Extremum& extremum) {
   const auto is_simple = [](const Extremum::Part& p) { return p.domain.factors.size() < 2; };
   if (std::ranges::all_of(extremum.parts, is_simple) ||
-      std::ranges::any_of(extremum.parts, has_parameter))
+      std::ranges::any_of(extremum.parts, has_parameter) || has_roots(extremum))
     return false;
   for (const Found& found : best_spots(evaluator, extremum)) {
     const auto f = found.ground.landscape.on(found.spot.face);

@@ -24,14 +24,15 @@ struct Attained {
 /// the tower may grow by what they need. Throws `Unsupported` where there are none.
 std::vector<Attained> attained(Evaluator&, const Extremum&, std::size_t most);
 
-/// A point whose value differs from the extremum by about 2^-bits at most.
+/// A point whose value differs from the extremum by about 2^-bits at most. Of functions with
+/// roots: the best of a few points.
 Attained nearly_attained(Evaluator&, const Extremum&, long bits);
 
 /// About the largest (least) value.
 double about(Evaluator&, const Extremum&);
 
 /// Whether, at a place where the extremum seems to be attained, a mixed derivative in the
-/// directions of two factors of a domain is not 0. False where a parameter occurs.
+/// directions of two factors of a domain is not 0. False where a parameter occurs, or a root.
 bool is_oblique(Evaluator&, const Extremum&);
 
 }  // namespace seam::claims

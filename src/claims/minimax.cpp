@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
+#include "claims/cover.h"
+#include "claims/extremum_trials.h"
 #include "claims/stating.h"
 #include "exact/recognise.h"
 
-// Let M be the largest |E(., v)|. If |E(x, a)| >= M at one point x for all a >= v, and at one,
-// perhaps another, for all a <= v, then no a does better than v. If for some a all |E(., a)|
-// are less than |E(x, v)| at some x, then that a does. Which of the two is stated rests on
-// values in doubles; each says its own only.
+// Let M be the largest |E(., v)|. If the values on either side of v are covered by intervals,
+// on each of which |E(x, a)| >= M at one point x, then no a does better than v. If for some a
+// all |E(., a)| are less than |E(x, v)| at some x, then that a does. Which of the two is stated
+// rests on values in doubles; each says its own only. Intervals share their ends, so nothing
+// is left out between them.
 
 namespace seam::claims {
 
@@ -47,6 +51,18 @@ Choices range_of(const Minimax& question) {
   return result;
 }
 
+// The values from one on, up to an end or all.
+Simplex part_above(const std::string& unknown, const Formula& from,
+                   const std::optional<Formula>& end, bool open) {
+  return end ? symbolic::interval(unknown, from, *end, false, open)
+             : symbolic::whole_line_right(unknown, from, false);
+}
+Simplex part_below(const std::string& unknown, const Formula& from,
+                   const std::optional<Formula>& end, bool open) {
+  return end ? symbolic::interval(unknown, *end, from, open, false)
+             : symbolic::whole_line_left(unknown, from, false);
+}
+
 class Question {
  public:
   Question(Evaluator& evaluator, const Minimax& question)
@@ -65,13 +81,23 @@ class Question {
     return result;
   }
 
-  // |E| at a place of `at`, with the sign it has there, as a function of the unknown.
-  Scalar along(const Attained& place) const {
-    std::map<std::string, Scalar> point;
-    for (const auto& [name, coordinate] : place.point) point.emplace(name, coordinate);
-    const Scalar there =
-        substitute(question_.errors[place.part / 2].value, point, evaluator_.numbers);
-    return place.part % 2 == 0 ? there : -there;
+  // Stretches from v to an end, and the functions of the unknown that they are of: E at these
+  // places of `at`, at the corners and centres of all faces, or else at more points.
+  struct Side {
+    std::vector<Scalar> errors;
+    std::vector<Stretch> stretches;
+  };
+  Side side(const std::vector<Attained>& places, double largest, double v, double end) const {
+    for (const auto tried : {centres, trials}) {
+      Side result{along(places, tried(evaluator_, {true, question_.errors})), {}};
+      std::vector<std::function<double(double)>> functions;
+      for (const Scalar& error : result.errors) functions.push_back(in_doubles(error));
+      result.stretches = cover(functions, largest, v, end);
+      if (!result.stretches.empty()) return result;
+    }
+    throw Unsupported(
+        "'minimax' where no points were found that show that the values on one side do no "
+        "better");
   }
 
   // Numbers in the range at many distances from v, those below it first.
@@ -97,6 +123,32 @@ class Question {
   }
 
  private:
+  std::vector<Scalar> along(const std::vector<Attained>& places,
+                            const std::vector<Trial>& tried) const {
+    std::vector<Scalar> result;
+    const auto add = [&](std::size_t part, const std::map<std::string, Formula>& coordinates) {
+      std::map<std::string, Scalar> point;
+      for (const auto& [name, coordinate] : coordinates) point.emplace(name, coordinate);
+      result.push_back(substitute(question_.errors[part].value, point, evaluator_.numbers));
+    };
+    for (const Attained& place : places) add(place.part / 2, place.point);
+    const Extremum errors{true, question_.errors};
+    for (const Trial& trial : tried) add(trial.part, point_of(errors, trial));
+    return result;
+  }
+
+  // A function of the unknown, in doubles.
+  std::function<double(double)> in_doubles(const Scalar& f) const {
+    std::map<std::string, double> point;
+    for (const std::string& symbol : symbolic::symbols(f.numerator * f.denominator))
+      if (symbolic::is_generator(symbol))
+        point[symbol] = evaluator_.numbers.approximate(Formula::symbol(symbol));
+    return [this, f, point](double a) mutable {
+      point[question_.unknown] = a;
+      return approximate(f, point, evaluator_.numbers);
+    };
+  }
+
   Evaluator& evaluator_;
   const Minimax& question_;
 };
@@ -172,45 +224,39 @@ Proposition Stating::best_choice(const Expression& at, const Minimax& minimax,
 
   const std::vector<Attained> places = attained(evaluator, here, 16);
   const Scalar largest(places[0].value);
-  // One point for each side at which the error is never less than the largest.
-  const auto on_side = [&](bool above) -> Proposition {
-    if (above ? range.high && numbers.equal(*range.high, v)
-              : range.low && numbers.equal(*range.low, v))
-      return symbolic::truth();
-    const std::string symbol = minimax.unknown;
-    Context side;
-    if (above)
-      side.factors = {range.high
-                          ? symbolic::interval(symbol, v, *range.high, false, range.open_high)
-                          : symbolic::whole_line_right(symbol, v, false)};
-    else
-      side.factors = {range.low
-                          ? symbolic::interval(symbol, *range.low, v, range.open_low, false)
-                          : symbolic::whole_line_left(symbol, v, false)};
-    for (const Attained& place : places) {
-      const Scalar error = question.along(place);
-      const bool fits = std::ranges::all_of(samples, [&](const Rational& a) {
-        if ((numbers.sign(Formula(a) - v) == exact::Sign::positive) != above) return true;
-        const Scalar gain =
-            substitute(error - largest, {{symbol, Scalar(Formula(a))}}, numbers);
-        return numbers.sign(gain.numerator) != exact::Sign::negative;
-      });
-      if (!fits) continue;
-      const Constraint c = compared(error, ">=", largest, side, at);
-      return holds(c.formula, c.relation, side, at,
-                   above ? "at one point the error is not less for all larger values"
-                         : "at one point the error is not less for all smaller values");
+  // Points for one side, at each of which the error is never less than the largest on a part of
+  // it.
+  const auto on_side = [&](bool above) {
+    const auto& end = above ? range.high : range.low;
+    const bool open = above ? range.open_high : range.open_low;
+    std::vector<Proposition> shown;
+    if (end && numbers.equal(*end, v)) return shown;
+    const double to = end ? numbers.approximate(*end) : above ? HUGE_VAL : -HUGE_VAL;
+    const auto [errors, stretches] = question.side(
+        places, numbers.approximate(largest.numerator), numbers.approximate(v), to);
+    Formula from = v;
+    for (const Stretch& stretch : stretches) {
+      const std::optional<Formula> until =
+          stretch.end ? std::optional(Formula(*stretch.end)) : end;
+      const bool is_open = !stretch.end && open;
+      Context side;
+      side.factors = {above ? part_above(minimax.unknown, from, until, is_open)
+                            : part_below(minimax.unknown, from, until, is_open)};
+      const Scalar& error = errors[stretch.function];
+      const Constraint c = compared(stretch.negative ? -error : error, ">=", largest, side, at);
+      shown.push_back(holds(c.formula, c.relation, side, at,
+                            above ? "at one point the error is not less for larger values"
+                                  : "at one point the error is not less for smaller values"));
+      if (until) from = *until;
     }
-    throw Unsupported(
-        "'minimax' where no single point shows that the values on one side do no better");
+    return shown;
   };
   Proposition bounded = everywhere(at, here, "<=", largest, {}, is_oblique(evaluator, here));
   bounded.about = "nowhere larger";
-  Proposition above = on_side(true), below = on_side(false);
   state_attained(at, places[0]);
   parts.push_back(std::move(bounded));
-  parts.push_back(std::move(above));
-  parts.push_back(std::move(below));
+  for (const bool above : {true, false})
+    for (Proposition& shown : on_side(above)) parts.push_back(std::move(shown));
   return sufficient(symbolic::all(std::move(parts)));
 }
 
