@@ -27,12 +27,19 @@ class Collector {
 void Collector::equate(const Expression& at, const Value& a, const Value& b) {
   if (a.as<Scalar>() && b.as<Scalar>()) {
     for (const Scalar* side : {a.as<Scalar>(), b.as<Scalar>()})
-      for (const auto* formulas : {&side->divisors, &side->radicands})
-        for (const Formula& f : *formulas)
-          for (const std::string& unknown : solving_.unknowns)
-            if (symbolic::variables(f).contains(unknown))
-              throw Unsupported("an equation with the unknown in a divisor or under a root");
+      for (const Formula& f : side->radicands)
+        for (const std::string& unknown : solving_.unknowns)
+          if (symbolic::variables(f).contains(unknown))
+            throw Unsupported("an equation with the unknown under a root");
+    // What the equation divides by is stated not to be 0 wherever the unknowns may lie.
     Context context = solving_.around;
+    for (std::size_t j = 0; j < solving_.unknowns.size(); ++j) {
+      if (solving_.sets[j])
+        context.factors.push_back(evaluator().continuous_set(
+            *solving_.sets[j], {solving_.unknowns[j]}, solving_.scope));
+      else
+        context.lines.push_back(solving_.unknowns[j]);
+    }
     context.lines.insert(context.lines.end(), solving_.for_all.begin(), solving_.for_all.end());
     solving_.equations.push_back(
         solving_.stating.compared(*a.as<Scalar>(), "=", *b.as<Scalar>(), context, at).formula);
@@ -76,6 +83,8 @@ void Collector::collect(const Expression& e, const Scope& scope) {
   } else if (e.kind == Kind::relation && e.text == "=") {
     equate(e, evaluator().evaluate(e.children[0], scope),
            evaluator().evaluate(e.children[1], scope));
+  } else if (e.kind == Kind::relation && &scope == &solving_.scope) {
+    solving_.conditions.push_back(&e);
   } else if (e.kind == Kind::for_all) {
     quantify(e, scope);
   } else if (e.kind == Kind::call) {
