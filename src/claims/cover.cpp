@@ -20,7 +20,7 @@ constexpr double nearest = 1e-9, farthest = 1e9, ratio = 1.05;
 constexpr int even_steps = 200;
 constexpr double same_value = 1e-12;
 
-// Where a function is above the bound, in distances from the beginning.
+// Where a function is not below the bound, in distances from the beginning.
 struct Run {
   std::size_t function;
   bool negative;
@@ -52,9 +52,9 @@ double border(const std::function<bool(double)>& above, double inside, double ou
 void add_runs(std::vector<Run>& runs, std::size_t index, bool negative,
               const std::function<double(double)>& gain, const std::vector<double>& mesh,
               double zero) {
-  const auto above = [&](double d) { return gain(d) > 0; };
+  const auto above = [&](double d) { return gain(d) >= -zero; };
   std::optional<double> begin;
-  if (gain(0) >= -zero && above(mesh[0])) begin = 0;
+  if (above(0) && above(mesh[0])) begin = 0;
   double last = 0;
   for (const double d : mesh) {
     const bool here = above(d);

@@ -19,8 +19,7 @@ struct Stretch {
 };
 
 /// Stretches one after the other that lead from one number to another, larger or smaller or
-/// infinite. Each function may be about as large as the bound at the beginning only. Few; none
-/// where none were found.
+/// infinite. Few; none where none were found.
 std::vector<Stretch> cover(const std::vector<std::function<double(double)>>& functions,
                            double bound, double from, double to);
 
