@@ -35,7 +35,6 @@ std::vector<Polynomial> read_system(Context& context,
                                     const std::vector<certificate::Term>& formulas,
                                     const std::vector<std::string>& for_all,
                                     const std::set<int>& others) {
-  demand(context.functions(formulas).empty(), "unsupported: a system with functions");
   std::vector<int> ordered;
   for (const std::string& name : for_all) ordered.push_back(context.variable(name));
   std::set<int> all = context.variables(for_all);
