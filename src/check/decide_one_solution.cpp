@@ -29,6 +29,9 @@ class Isolating {
  public:
   Isolating(Context& context, const OneSolution& stated, const Isolation& shown)
       : context_(context), ring_(context.ring()), stated_(stated), shown_(shown) {
+    std::vector<certificate::Term> terms = stated.system;
+    for (const auto& condition : stated.domain.where) terms.push_back(condition.formula);
+    demand(context.functions(std::move(terms)).empty(), "unsupported: a system with functions");
     domain_ = make_region(context, stated.domain, {});
     const std::set<int> bound = context.variables(stated.unknowns);
     demand(bound == variables(domain_) && !bound.empty(),

@@ -68,6 +68,7 @@ Problem read_problem(Context& context, const Solutions& stated) {
          "degenerate: the domain is not one of the unknown");
   if (!stated.domain.corners.empty())
     problem.domain = make_region(context, {{stated.domain}, {}}).factors.front();
+  demand(context.functions(stated.system).empty(), "unsupported: a system with functions");
   problem.system = read_system(context, stated.system, stated.for_all, {problem.unknown});
   return problem;
 }

@@ -115,6 +115,12 @@ TEST_F(OneSolutionRule, rows_that_are_not_dominant_are_rejected) {
   EXPECT_OPEN(found(), "do not show the sign");
 }
 
+TEST_F(OneSolutionRule, a_root_of_a_function_has_no_place_in_it) {
+  k.statement.functions = {{"s", k.difference(x, y), 2}};
+  stated.system = {k.sum({f, k.symbol("s"), k.scaled(-1, k.symbol("s"))}), g};
+  EXPECT_OPEN(found(), "a system with functions");
+}
+
 TEST_F(OneSolutionRule, no_solution_at_all_refutes) {
   stated.system = {k.sum({x, one}), g};
   shown = {};
