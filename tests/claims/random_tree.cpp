@@ -241,8 +241,10 @@ void RandomTree::fill_claim(Item& item) {
 void RandomTree::fill_table(Item& item) {
   item.columns = several(0, 1, &RandomTree::ranged, 2);
   for (int left = below(3); left > 0; --left) item.labels.push_back(quoted());
-  for (int left = 1 + below(3); left > 0; --left)
-    item.rows.push_back({quoted(), any(3), several(1, 3, &RandomTree::any, 2), maybe()});
+  for (int left = 1 + below(3); left > 0; --left) {
+    item.rows.push_back({quoted(), any(3), several(1, 3, &RandomTree::any, 2), {}, maybe()});
+    if (maybe()) item.rows.back().corrected.emplace(0, any(2));
+  }
 }
 
 void RandomTree::fill_param(Item& item) {

@@ -26,7 +26,10 @@ bool same(const std::optional<Expression>& a, const std::optional<Expression>& b
 
 bool same(const Item::Row& a, const Item::Row& b) {
   return a.label == b.label && claims::same(a.value, b.value) && same(a.printed, b.printed) &&
-         a.truncated == b.truncated;
+         a.truncated == b.truncated &&
+         std::ranges::equal(a.corrected, b.corrected, [](const auto& x, const auto& y) {
+           return x.first == y.first && claims::same(x.second, y.second);
+         });
 }
 
 bool same(const Claim& a, const Claim& b) {
