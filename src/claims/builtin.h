@@ -59,6 +59,8 @@ Extremum::Part part_of(const Field&, const Expression& at);
 /// The closed, bounded set that the first so many bindings of `E for …` range over; their names
 /// join the scope.
 symbolic::Domain bound_domain(const Call&, std::size_t bindings, Scope&);
+/// Closed and bounded.
+bool is_compact(const symbolic::Domain&);
 
 /// The largest (least) of some numbers, resting on the comparison with each of the others.
 Formula greatest(Evaluator&, const std::vector<Formula>&, bool maximum);

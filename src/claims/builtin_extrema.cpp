@@ -23,14 +23,6 @@ symbolic::Domain domain_of(const Field& field) {
   return {{symbolic::interval(names[0], 0, 1), symbolic::interval(names[1], 0, 1)}, {}};
 }
 
-bool is_compact(const symbolic::Domain& domain) {
-  return domain.where.empty() && std::ranges::all_of(domain.factors, [](const Simplex& factor) {
-           return std::ranges::none_of(factor.open, [](bool open) { return open; }) &&
-                  std::ranges::none_of(factor.corners,
-                                       [](const auto& c) { return c[0].is(0); });
-         });
-}
-
 // max(E for u in [0,1], (v,w) in triangle).
 Value over_bindings(const Call& call, bool maximum) {
   const Expression& each = call[0];
@@ -148,6 +140,14 @@ Extremum::Part part_of(const Field& field, const Expression& at) {
   if (field.components.size() != 1)
     fail(at, "an extremum of a vector: take norm2 or a coordinate");
   return {field.components[0], domain_of(field)};
+}
+
+bool is_compact(const symbolic::Domain& domain) {
+  return domain.where.empty() && std::ranges::all_of(domain.factors, [](const Simplex& factor) {
+           return std::ranges::none_of(factor.open, [](bool open) { return open; }) &&
+                  std::ranges::none_of(factor.corners,
+                                       [](const auto& c) { return c[0].is(0); });
+         });
 }
 
 symbolic::Domain bound_domain(const Call& call, std::size_t bindings, Scope& inner) {

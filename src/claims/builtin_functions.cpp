@@ -94,17 +94,25 @@ std::optional<exact::Rational> rational_argument(const Call& call, const Value& 
   return rational;
 }
 
+// It has a value only where the function has one.
+Scalar part(const Scalar& whole, const Formula& formula) {
+  Scalar result = whole;
+  result.numerator = formula;
+  result.denominator = 1;
+  return result;
+}
+
 Value numerator(const Call& call) {
   const Value value = call.value(0);
   if (const auto rational = rational_argument(call, value))
     return {Scalar(Formula(exact::Rational(rational->get_num())))};
-  return mapped(call, value, [](const Scalar& s) { return Scalar(s.numerator); });
+  return mapped(call, value, [](const Scalar& s) { return part(s, s.numerator); });
 }
 Value denominator(const Call& call) {
   const Value value = call.value(0);
   if (const auto rational = rational_argument(call, value))
     return {Scalar(Formula(exact::Rational(rational->get_den())))};
-  return mapped(call, value, [](const Scalar& s) { return Scalar(s.denominator); });
+  return mapped(call, value, [](const Scalar& s) { return part(s, s.denominator); });
 }
 
 }  // namespace

@@ -42,8 +42,12 @@ symbolic::Domain named_domain(const Call& call, Scope& inner) {
     inner.values[names[i]] = {Scalar(Formula::symbol(symbols.back()))};
     return symbols.back();
   };
-  if (call.evaluator.is_interval(call[2], call.scope))
-    return {{call.evaluator.continuous_set(call[2], {bind(0)}, call.scope)}, {}};
+  if (call.evaluator.is_interval(call[2], call.scope)) {
+    const symbolic::Domain domain{
+        {call.evaluator.continuous_set(call[2], {bind(0)}, call.scope)}, {}};
+    if (!is_compact(domain)) fail(call[2], "an extremum needs a closed, bounded domain");
+    return domain;
+  }
   const auto region = call.get<Region>(2, "a domain");
   if (region.interior) fail(call[2], "an extremum needs a closed, bounded domain");
   if (region.square)
@@ -68,11 +72,15 @@ Value over_parameter(const Call& call) {
   const Parameter* parameter = chosen_parameter(call);
   Scope inner{&call.scope, {}};
   const std::string name = call[1].text;
-  if (!parameter) inner.values[name] = {Scalar(Formula::symbol(name))};
+  for (const Scope* s = &call.scope; s; s = s->outer)
+    if (s->values.contains(name)) fail(call[1], "'" + name + "' stands for a value here");
   const symbolic::Domain domain = named_domain(call, inner);
-  const Value error = call.evaluator.evaluate(call[0], inner);
+  if (inner.values.contains(name))
+    fail(call[1], "'" + name + "' is a variable of the domain", "choose another name");
   Minimax result;
   result.unknown = call.evaluator.bind(name + "~best");
+  inner.values[name] = {Scalar(Formula::symbol(result.unknown))};
+  const Value error = call.evaluator.evaluate(call[0], inner);
   if (const auto* field = error.as<Field>()) {
     result.errors = {part_of(*field, call[0])};
     if (result.errors[0].domain.factors.size() != domain.factors.size())
@@ -80,8 +88,10 @@ Value over_parameter(const Call& call) {
   } else {
     result.errors = {{as_scalar(call.evaluator, error, call[0]), domain}};
   }
-  for (Extremum::Part& part : result.errors)
-    part.value = replaced(part.value, name, result.unknown, call.evaluator.numbers);
+  // What was defined before with the parameter in it holds its symbol.
+  if (parameter)
+    for (Extremum::Part& part : result.errors)
+      part.value = replaced(part.value, name, result.unknown, call.evaluator.numbers);
   if (parameter) result.range = parameter->set;
   if (result.range) result.range->variables = {result.unknown};
   return {result};

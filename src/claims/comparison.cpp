@@ -96,6 +96,19 @@ Stating::Range Stating::range(const std::set<std::string>& variables, const Cont
   return result;
 }
 
+// Whatever became of the value that a root stands in: where its radicand is negative there is
+// nothing to be said.
+void Stating::guard_roots(const Formula& f, const Context& context, const Expression& at) {
+  symbolic::Atoms atoms;
+  atoms.add(f);
+  for (const auto& entry : atoms.entries()) {
+    const Formula& radicand = entry.formula.operands()[0];
+    for (const symbolic::Domain& domain : domains(symbolic::variables(radicand), context, at))
+      guards.push_back(symbolic::atom(symbolic::Sign{radicand, Relation::nonnegative, domain},
+                                      "the radicand is not negative"));
+  }
+}
+
 std::vector<symbolic::Domain> Stating::halved(const Range& range) {
   if (range.lines.size() > 4)
     throw Unsupported("an inequality for all values of more than four reals");
@@ -120,6 +133,7 @@ std::vector<symbolic::Domain> Stating::domains(const std::set<std::string>& vari
 
 Proposition Stating::holds(const Formula& f, Relation relation, const Context& context,
                            const Expression& at, const std::string& about) {
+  guard_roots(f, context, at);
   Range range = this->range(symbolic::variables(f), context, at);
   if (relation == Relation::zero && range.domain.where.empty()) {
     if (f.is_polynomial()) return symbolic::atom(symbolic::Zero{f}, about);

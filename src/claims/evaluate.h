@@ -95,7 +95,8 @@ class Evaluator {
   Numbers& numbers;
   std::map<std::string, Definition> globals;
   std::vector<Parameter> parameters;
-  std::vector<symbolic::Proposition> sides;  ///< of what is being evaluated
+  std::vector<symbolic::Proposition> sides;     ///< of what is being evaluated
+  std::vector<symbolic::Proposition> standing;  ///< of the values around the statement
   std::string folder;                        ///< for `read`: the folder of the file
 
  private:

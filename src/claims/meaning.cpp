@@ -129,6 +129,12 @@ Value Reader::root(const Item& item) {
   for (const std::string& v : symbolic::variables(polynomial))
     if (v != symbol)
       fail(item.expressions[0], "a root of a polynomial with the parameter '" + v + "'");
+  for (const std::size_t end : {0U, 1U}) {
+    const Formula at_end =
+        symbolic::subst(polynomial, {{symbol, Formula(end == 0 ? *low : *high)}});
+    if (interval.open[1 - end] && meaning_.numbers->sign(at_end) == exact::Sign::zero)
+      fail(range, "the polynomial has a root at an end that is left out", "choose another end");
+  }
   try {
     return {Scalar(meaning_.numbers->root(polynomial, symbol, *low, *high))};
   } catch (const symbolic::NumberError& error) {
@@ -166,14 +172,20 @@ void Reader::define_param(const Item& item) {
     } else {
       const std::string symbol = evaluator_.bind(name);
       Parameter parameter{symbol, std::nullopt};
+      evaluator_.sides.clear();
       try {
         if (!item.expressions.empty())
           parameter.set = evaluator_.continuous_set(item.expressions[0], {symbol}, Scope{});
         evaluator_.parameters.push_back(parameter);
         definition.value = Value{Scalar(Formula::symbol(symbol))};
+        definition.sides = evaluator_.sides;
       } catch (const Problem& problem) {
         report(problem.diagnostic);
         definition.broken = true;
+      } catch (const Unsupported& unsupported) {
+        definition.unsupported = unsupported.what();
+      } catch (const symbolic::NumberLimit& limit) {
+        definition.unsupported = limit.what();
       } catch (const Broken&) {
         definition.broken = true;
       }

@@ -95,11 +95,14 @@ MeantAsk Reader::question(const std::string& id, const Expression& expression, i
     evaluator_.sides = sides;
   } catch (const Unsupported& unsupported) {
     result.statement.unsupported = unsupported.what();
+  } catch (const symbolic::NumberLimit& limit) {
+    result.statement.unsupported = limit.what();
   }
   const auto* extremum = value ? value->as<Extremum>() : nullptr;
   try {
     if (extremum && digits <= max_digits_of_enclosure) enclose(result, *extremum, digits);
   } catch (const Unsupported&) {  // the statement says why
+  } catch (const symbolic::NumberLimit&) {
   }
   evaluator_.sides.clear();
   return result;

@@ -132,7 +132,7 @@ Stated state(Evaluator& evaluator, const Expression& statement, const Scope& sco
   Context context;
   for (;;) {
     Stating stating(evaluator);
-    evaluator.sides.clear();
+    evaluator.sides = evaluator.standing;
     Stated result;
     result.goal = stating.state(statement, scope, context);
     if (context.empty()) {

@@ -111,6 +111,7 @@ class Stating {
   std::optional<exact::Sign> likely_sign(const Formula&, const Context&);
   /// That it is not 0, with the sign it seems to have, which is returned.
   std::optional<exact::Sign> guard_divisor(const Formula&, const Context&, const Expression& at);
+  void guard_roots(const Formula&, const Context&, const Expression& at);
   std::optional<exact::Sign> guard_denominator(const Formula&, const Context&,
                                                const Expression& at);
 };

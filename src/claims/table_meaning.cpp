@@ -28,6 +28,7 @@ std::string slug(const std::string& label) {
 void Reader::table(const Item& item) {
   MeantTable result{item.claim, item.comments, item.labels, {}};
   result.heading.id = item.claim.id.empty() ? item.name : item.claim.id;
+  evaluator_.sides.clear();
   try {
     std::vector<Value> columns = {Value{Scalar(0)}};
     std::string variable;
@@ -38,6 +39,7 @@ void Reader::table(const Item& item) {
                            : std::nullopt;
       if (!set || set->empty()) fail(binding, "a table runs over a finite set");
       columns = *set;
+      evaluator_.standing = evaluator_.sides;
       variable = binding.children[0].children[0].text;
     }
     if (!item.labels.empty() && item.labels.size() != columns.size())
@@ -84,8 +86,13 @@ void Reader::table(const Item& item) {
     }
   } catch (const Problem& problem) {
     report(problem.diagnostic);
+  } catch (const Unsupported& unsupported) {
+    report({item.name_span, std::string("the columns of this table: ") + unsupported.what(), {}});
+  } catch (const symbolic::NumberLimit& limit) {
+    report({item.name_span, std::string("the columns of this table: ") + limit.what(), {}});
   } catch (const Broken&) {
   }
+  evaluator_.standing.clear();
   meaning_.items.push_back(std::move(result));
 }
 

@@ -7,9 +7,9 @@
 #include "exact/contract.h"
 
 // Only constants are folded, and only those foldings are made that hold for every
-// value of the symbols at which the formula has one: 0 + x, 1 * x, 0 * x, x^0, x^1. Facts
-// of a known value that is folded away are lost on purpose where the value no longer
-// matters (0 * x).
+// value of the symbols at which the formula has one: 0 + x, 1 * x, 0 * x, x^0, x^1. What a
+// function rests on stays where it is multiplied by 0; facts about numbers are lost there on
+// purpose.
 //
 // Every walk is memoised by node, so it costs a step a node of the shared tree; depth is
 // bounded when a node is built, so no walk overflows the stack.
@@ -151,6 +151,30 @@ Formula sum(std::vector<Formula> terms) {
   return Formula(Formula::node(Formula::Kind::sum, std::move(rest)));
 }
 
+namespace {
+
+void collect_needs(const Formula& f, std::vector<Fact>& needs, std::set<const void*>& seen) {
+  if (f.is_polynomial() || !seen.insert(f.identity()).second) return;
+  const auto& operands = f.operands();
+  if (f.kind() == Formula::Kind::inverse)
+    needs.push_back({operands[0], Fact::Relation::nonzero});
+  if (f.kind() == Formula::Kind::root)
+    needs.push_back({operands[0], Fact::Relation::nonnegative});
+  for (const Fact& fact : f.facts())
+    if (!is_number(fact.formula)) needs.push_back(fact);
+  for (const Formula& operand : operands) collect_needs(operand, needs, seen);
+}
+
+// The constant, where these formulas have a value.
+Formula resting(long constant, const std::vector<Formula>& on) {
+  std::vector<Fact> needs;
+  std::set<const void*> seen;
+  for (const Formula& f : on) collect_needs(f, needs, seen);
+  return needs.empty() ? Formula(constant) : Formula::known(Formula(constant), std::move(needs));
+}
+
+}  // namespace
+
 Formula product(std::vector<Formula> factors) {
   Rational constant = 1;
   std::vector<Formula> rest;
@@ -162,7 +186,7 @@ Formula product(std::vector<Formula> factors) {
     constant *= factor.value();
     require_small(bits(constant));
   }
-  if (constant == 0) return {0};
+  if (constant == 0) return resting(0, rest);
   if (rest.empty()) return Formula(constant);
   if (constant != 1) rest.insert(rest.begin(), Formula(constant));
   if (rest.size() == 1) return rest.front();
@@ -171,7 +195,7 @@ Formula product(std::vector<Formula> factors) {
 
 Formula power(const Formula& base, int exponent) {
   require(exponent >= 0, "power: negative exponent");
-  if (exponent == 0) return {1};
+  if (exponent == 0) return resting(1, {base});
   if (exponent == 1) return base;
   if (base.is_constant()) {
     if (bits(base.value()) > 2) require_small(bits(base.value()) * exponent);
@@ -203,7 +227,7 @@ Formula operator-(const Formula& a) {
   return product({Formula(-1), a});
 }
 Formula operator-(const Formula& a, const Formula& b) {
-  if (a.node_ == b.node_) return {0};
+  if (a.node_ == b.node_) return resting(0, {a});
   return sum({a, -b});
 }
 
