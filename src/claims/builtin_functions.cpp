@@ -94,11 +94,10 @@ std::optional<exact::Rational> rational_argument(const Call& call, const Value& 
   return rational;
 }
 
-// It has a value only where the function has one.
+// Roots in it have a value only where those of the function have one.
 Scalar part(const Scalar& whole, const Formula& formula) {
-  Scalar result = whole;
-  result.numerator = formula;
-  result.denominator = 1;
+  Scalar result(formula);
+  result.radicands = whole.radicands;
   return result;
 }
 

@@ -8,8 +8,6 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <cstdlib>
-#include <limits>
 #include <mutex>
 
 #include "certificate/sha256.h"
@@ -37,7 +35,6 @@ struct Task {
   double seconds = 0;
   const claims::Lowered* otherwise = nullptr;  ///< where that cannot be proven
   bool is_otherwise = false;                   ///< it was not: `decided` is about the other
-  long pieces = std::numeric_limits<long>::max();  ///< `by subdivide N`
 };
 
 void run(std::vector<Task>& tasks, const claims::Meaning& meaning, const VerifyOptions& options,
@@ -56,7 +53,7 @@ void run(std::vector<Task>& tasks, const claims::Meaning& meaning, const VerifyO
     const auto start = std::chrono::steady_clock::now();
     const auto attempt = [&](const claims::Lowered& lowered) {
       prove::Budget budget;
-      budget.effort = std::min(options.effort, task.pieces);
+      budget.effort = options.effort;
       budget.deadline = std::chrono::steady_clock::now() +
                         std::chrono::milliseconds(static_cast<long>(options.timeout * 1000));
       return decide(lowered, *task.statement, budget, normal_form);
@@ -107,26 +104,14 @@ void each_claim(const claims::Meaning& meaning,
   }
 }
 
-// `by subdivide N`: the pieces that a subdivision may have.
-long pieces_of(const claims::Claim& claim) {
-  using Kind = claims::Expression::Kind;
-  for (const claims::Expression& hint : claim.hints)
-    if (hint.kind == Kind::call && hint.children.size() == 2 &&
-        hint.children[0].text == "subdivide" && hint.children[1].kind == Kind::number)
-      return std::strtol(hint.children[1].text.c_str(), nullptr, 10);
-  return std::numeric_limits<long>::max();
-}
-
 std::vector<Task> tasks_of(const claims::Meaning& meaning,
                            const std::vector<std::string>& patterns) {
   std::vector<Task> tasks;
   each_claim(meaning, [&](const MeantClaim& claim) {
     if (!selected(claim.claim.id, patterns)) return;
     tasks.push_back({claim.claim.id, &claim.printed, &claim.claim.statement, {}});
-    tasks.back().pieces = pieces_of(claim.claim);
     if (claim.corrected)
       tasks.push_back({claim.claim.id, &*claim.corrected, &*claim.claim.corrected, {}});
-    tasks.back().pieces = pieces_of(claim.claim);
   });
   for (const auto& item : meaning.items)
     if (const auto* ask = std::get_if<claims::MeantAsk>(&item);

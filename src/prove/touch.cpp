@@ -254,6 +254,7 @@ class Search {
   // A number over the tower, which may grow.
   std::optional<Polynomial> guessed(const Rational& value, long bits) {
     constexpr int most_degree = 8, most_dimension = 24;
+    if (exact::dimension(workshop_.tower()) > most_dimension) return std::nullopt;
     if (auto known = exact::recognise(workshop_.numbers(), value, bits)) return known;
     const int most =
         std::min(most_degree, most_dimension / exact::dimension(workshop_.tower()));

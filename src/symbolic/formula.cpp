@@ -8,8 +8,7 @@
 
 // Only constants are folded, and only those foldings are made that hold for every
 // value of the symbols at which the formula has one: 0 + x, 1 * x, 0 * x, x^0, x^1. What a
-// function rests on stays where it is multiplied by 0; facts about numbers are lost there on
-// purpose.
+// known value rests on stays where it is multiplied by 0, as far as it speaks of variables.
 //
 // Every walk is memoised by node, so it costs a step a node of the shared tree; depth is
 // bounded when a node is built, so no walk overflows the stack.
@@ -158,8 +157,6 @@ void collect_needs(const Formula& f, std::vector<Fact>& needs, std::set<const vo
   const auto& operands = f.operands();
   if (f.kind() == Formula::Kind::inverse)
     needs.push_back({operands[0], Fact::Relation::nonzero});
-  if (f.kind() == Formula::Kind::root)
-    needs.push_back({operands[0], Fact::Relation::nonnegative});
   for (const Fact& fact : f.facts())
     if (!is_number(fact.formula)) needs.push_back(fact);
   for (const Formula& operand : operands) collect_needs(operand, needs, seen);
