@@ -225,8 +225,8 @@ struct Box {
 ///
 /// With the inner box in that of the statement this shows it. With an inner box apart from
 /// that, it refutes, and only inner box, faces and conditions are looked at. With no boxes and
-/// no combination, and `cover` one tree for -1 >= 0 there (without the G), there is no solution:
-/// it refutes.
+/// no combination, and `cover` one tree for -1 >= 0 there (without the G), there is no
+/// solution: it refutes.
 struct Isolation {
   std::vector<std::vector<std::string>> combination;  ///< rationals
   Box inner, outer;

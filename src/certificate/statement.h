@@ -121,11 +121,12 @@ struct Solutions {
   bool operator==(const Solutions&) const = default;
 };
 
-/// At every point of (the domain) x (every real value of those unknowns that belong to no factor of
-/// it) that meets the conditions of the domain and at which every formula of `system` vanishes for
-/// all real values of the variables `for_all`, the unknowns x are one of `solutions`:
-/// denominators[j] * x_j = numerators[j] for all j, for one of them. Those are formulas in the
-/// variables of factors that are no unknowns, the parameters; the conditions may hold unknowns.
+/// At every point of (the domain) x (every real value of those unknowns that belong to no
+/// factor of it) that meets the conditions of the domain and at which every formula of `system`
+/// vanishes for all real values of the variables `for_all`, the unknowns x are one of
+/// `solutions`: denominators[j] * x_j = numerators[j] for all j, for one of them. Those are
+/// formulas in the variables of factors that are no unknowns, the parameters; the conditions
+/// may hold unknowns.
 struct OnlySolutions {
   struct Tuple {
     std::vector<Term> numerators, denominators;  ///< one an unknown
@@ -140,9 +141,9 @@ struct OnlySolutions {
   bool operator==(const OnlySolutions&) const = default;
 };
 
-/// Exactly one point of the domain meets its conditions and makes every formula of `system` vanish for all
-/// real values of the variables `for_all`; there low[j] <= unknowns[j] <= high[j]. The variables of the
-/// factors are the unknowns.
+/// Exactly one point of the domain meets its conditions and makes every formula of `system`
+/// vanish for all real values of the variables `for_all`; there low[j] <= unknowns[j] <=
+/// high[j]. The variables of the factors are the unknowns.
 struct OneSolution {
   std::vector<Term> system;
   std::vector<std::string> unknowns;

@@ -58,10 +58,9 @@ Value diff(const Call& call) {
   Value value = call.evaluator.evaluate(call[0], variable.scope());
   refuse_field(call, value);
   for (long k = 0; k < order; ++k)
-    value =
-        mapped(call, value, [&](const Scalar& s) {
-          return derivative(s, variable.symbol(), call.evaluator.numbers);
-        });
+    value = mapped(call, value, [&](const Scalar& s) {
+      return derivative(s, variable.symbol(), call.evaluator.numbers);
+    });
   if (variable.is_fresh() && mentions(value, variable.symbol()))
     fail(call[1], "the variable '" + call[1].text + "' is not bound here");
   return value;

@@ -2,8 +2,8 @@
 #include "claims/builtin.h"
 
 // minimax(E for (u,v) in triangle, a in [1, 4]): the last name is the one that is chosen.
-// minimax(E, a, triangle): a is a parameter of the file, or a new name for any real number; E is a
-// formula in u and v (on an interval: in u) or a function on a patch.
+// minimax(E, a, triangle): a is a parameter of the file, or a new name for any real number; E
+// is a formula in u and v (on an interval: in u) or a function on a patch.
 
 namespace seam::claims {
 namespace {
@@ -57,8 +57,8 @@ symbolic::Domain named_domain(const Call& call, Scope& inner) {
   return {{symbolic::standard_simplex(symbols)}, {}};
 }
 
-// The parameter of the file that the second argument names; none: the name is new, and stands for
-// every real number.
+// The parameter of the file that the second argument names; none: the name is new, and stands
+// for every real number.
 const Parameter* chosen_parameter(const Call& call) {
   if (call[1].kind != Expression::Kind::name) fail(call[1], "expected the name of a variable");
   for (const Parameter& parameter : call.evaluator.parameters)

@@ -21,8 +21,8 @@ Value of_scalar(const Call& call, const std::function<Scalar(const Scalar&)>& f)
 }
 
 Value root_of(const Call& call, int n) {
-  return of_scalar(
-      call, [&](const Scalar& x) { return nth_root(x, n, call.evaluator.numbers); });
+  return of_scalar(call,
+                   [&](const Scalar& x) { return nth_root(x, n, call.evaluator.numbers); });
 }
 
 Value sqrt(const Call& call) {

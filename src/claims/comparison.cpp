@@ -2,14 +2,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "symbolic/denominator.h"
 #include "claims/stating.h"
 #include "symbolic/approximate.h"
 #include "symbolic/atoms.h"
+#include "symbolic/denominator.h"
 
 // A comparison of quotients a/b and c/d becomes one of polynomials: (a d - c b) * sign(b d)
-// with 0. The sign of a divisor is guessed at one point of the context and stated as a guard for all
-// of it, so that nothing rests on the guess. Under constraints the context may fall
+// with 0. The sign of a divisor is guessed at one point of the context and stated as a guard
+// for all of it, so that nothing rests on the guess. Under constraints the context may fall
 // apart into pieces with different signs; there no sign is assumed, and b d is
 // multiplied in.
 
@@ -201,8 +201,8 @@ void Stating::guard(const Scalar& value, const Context& context, const Expressio
         holds(radicand, Relation::nonnegative, context, at, "the radicand is not negative"));
 }
 
-// The sign that each factor of the denominator is stated to have; none where one is not. (Roots are
-// not negative, nor 0, for they were divided by.)
+// The sign that each factor of the denominator is stated to have; none where one is not. (Roots
+// are not negative, nor 0, for they were divided by.)
 std::optional<exact::Sign> Stating::guard_denominator(const Formula& denominator,
                                                       const Context& context,
                                                       const Expression& at) {

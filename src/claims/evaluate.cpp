@@ -205,8 +205,8 @@ Value Evaluator::apply(const Value& callee, const Expression& e, const Scope& sc
   const Formula v = Formula::symbol(geometry::parameter_v);
 
   if (const auto* patch = callee.as<geometry::Patch>())
-    return vector_or_scalar(
-        at_parameters(*this, scalars(geometry::evaluate(*patch, u, v), numbers), coordinates(2)));
+    return vector_or_scalar(at_parameters(
+        *this, scalars(geometry::evaluate(*patch, u, v), numbers), coordinates(2)));
   if (const auto* field = callee.as<Field>())
     return vector_or_scalar(at_parameters(*this, field->components, coordinates(2)));
   if (const auto* curve = callee.as<geometry::Curve>())

@@ -97,7 +97,7 @@ class Evaluator {
   std::vector<Parameter> parameters;
   std::vector<symbolic::Proposition> sides;     ///< of what is being evaluated
   std::vector<symbolic::Proposition> standing;  ///< of the values around the statement
-  std::string folder;                        ///< for `read`: the folder of the file
+  std::string folder;                           ///< for `read`: the folder of the file
 
  private:
   Value name(const Expression&, const Scope&);

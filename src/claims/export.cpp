@@ -153,8 +153,8 @@ class Exporter {
     return result;
   }
   certificate::Obligation obligation(const symbolic::OneSolution& s) {
-    certificate::OneSolution result{
-        terms(s.system), s.unknowns, s.for_all, domain(s.domain), {}, {}};
+    certificate::OneSolution result{terms(s.system),  s.unknowns, s.for_all,
+                                    domain(s.domain), {},         {}};
     for (const auto& [low, high] : s.near) {
       result.low.push_back(low.get_str());
       result.high.push_back(high.get_str());
@@ -244,8 +244,8 @@ class Exporter {
     add_guard(symbolic::atom(symbolic::Sign{fact.formula, relation, {}}, "what a number is"));
   }
 
-  // The generators that formulas and their facts hold, so that the field of them all is known before
-  // the first term is written.
+  // The generators that formulas and their facts hold, so that the field of them all is known
+  // before the first term is written.
   void gather(const Formula& f) {
     if (!gathered_.insert(f.identity()).second) return;
     if (f.kind() == Formula::Kind::symbol) names_.insert(f.name());

@@ -88,8 +88,8 @@ struct right_value : operand {};
 struct cell : peg::seq<printed_value, peg::opt<peg::if_must<cell_corrected, right_value>>> {};
 struct row_rounds : rounds_sign {};
 struct row_cut_off : truncated_word {};
-struct row : peg::if_must<row_label, row_value, row_rounds,
-                          peg::list_must<cell, comma>, peg::opt<row_cut_off>> {};
+struct row : peg::if_must<row_label, row_value, row_rounds, peg::list_must<cell, comma>,
+                          peg::opt<row_cut_off>> {};
 struct table
     : peg::if_must<table_word, claim_id, peg::star<peg::sor<title_text, at>>, peg::opt<columns>,
                    peg::opt<labelled>, header_colon, peg::plus<row>> {};

@@ -162,8 +162,8 @@ const std::map<std::string, Entry>& table() {
 
 const std::set<std::string>& later() {
   static const std::set<std::string> names = {
-      "pregeodesic",        "developable", "ruled",  "cylindrical",
-      "partition_of_unity", "nonnegative"};
+      "pregeodesic", "developable",        "ruled",
+      "cylindrical", "partition_of_unity", "nonnegative"};
   return names;
 }
 

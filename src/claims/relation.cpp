@@ -3,8 +3,8 @@
 
 #include "claims/stating.h"
 
-// Comparisons of values of all kinds: entry by entry, point by point, for all points of a patch;
-// with an extremum, at all or at some points of its domain.
+// Comparisons of values of all kinds: entry by entry, point by point, for all points of a
+// patch; with an extremum, at all or at some points of its domain.
 
 namespace seam::claims {
 namespace {

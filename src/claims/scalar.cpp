@@ -22,7 +22,8 @@ using symbolic::merged_product;
 using symbolic::product;
 
 void add(std::vector<Formula>& all, const Formula& formula) {
-  const bool known = std::ranges::any_of(all, [&](const Formula& f) { return f.same(formula); });
+  const bool known =
+      std::ranges::any_of(all, [&](const Formula& f) { return f.same(formula); });
   if (!known) all.push_back(formula);
 }
 
@@ -77,8 +78,8 @@ Scalar divide(const Scalar& a, const Scalar& b, Numbers& numbers) {
     if (divisor.is_constant() && divisor.value() == 0) throw DivisionByZero();
     if (!divisor.is_constant() && numbers.sign(divisor) == exact::Sign::zero)
       throw DivisionByZero();
-    const Formula inverse = divisor.is_constant() ? symbolic::inverse(divisor)
-                                                  : numbers.inverse(divisor);
+    const Formula inverse =
+        divisor.is_constant() ? symbolic::inverse(divisor) : numbers.inverse(divisor);
     return resting(over(a.numerator * b.denominator * inverse, a.denominator), a, b);
   }
   const Factors all = factors(divisor);
@@ -93,9 +94,9 @@ Scalar divide(const Scalar& a, const Scalar& b, Numbers& numbers) {
       divisors.push_back(factor);
     }
   }
-  Scalar result = resting(over(a.numerator * b.denominator * number,
-                               merged_product(a.denominator, product(below))),
-                          a, b);
+  Scalar result = resting(
+      over(a.numerator * b.denominator * number, merged_product(a.denominator, product(below))),
+      a, b);
   for (const Formula& factor : divisors) add(result.divisors, factor);
   return result;
 }
@@ -105,9 +106,8 @@ Scalar power(const Scalar& base, long exponent, Numbers& numbers) {
     throw symbolic::NumberError("an exponent of more than 1000 is too large");
   if (exponent < 0) return divide(Scalar(1), power(base, -exponent, numbers), numbers);
   const int n = static_cast<int>(exponent);
-  return resting(
-      over(symbolic::power(base.numerator, n), symbolic::power(base.denominator, n)), base,
-      base);
+  return resting(over(symbolic::power(base.numerator, n), symbolic::power(base.denominator, n)),
+                 base, base);
 }
 
 namespace {
@@ -143,8 +143,7 @@ std::optional<Scalar> inside_absolute(const Scalar& x) {
 // The root of n/d is that of n * rest, over |d * rest| taken once, where d * rest is an
 // n-th power.
 Scalar nth_root(const Scalar& x, int n, Numbers& numbers) {
-  if (!has_variables(x))
-    return resting(numbers.nth_root(x.numerator, n), x, x);
+  if (!has_variables(x)) return resting(numbers.nth_root(x.numerator, n), x, x);
   if (n % 2 == 1) throw symbolic::NumberLimit("an odd root of a function is not covered");
   Factors rest, below;
   for (const auto& [factor, exponent] : factors(x.denominator).powers) {
@@ -256,8 +255,7 @@ Scalar scalar_of(const Formula& f, Numbers& numbers) {
 Formula formula_of(const Scalar& s) {
   if (s.is_polynomial()) return s.numerator;
   std::vector<Fact> facts;
-  for (const Formula& divisor : s.divisors)
-    facts.push_back({divisor, Fact::Relation::nonzero});
+  for (const Formula& divisor : s.divisors) facts.push_back({divisor, Fact::Relation::nonzero});
   for (const Formula& radicand : s.radicands)
     facts.push_back({radicand, Fact::Relation::nonnegative});
   return Formula::known(s.numerator * symbolic::inverse(s.denominator), std::move(facts));

@@ -16,8 +16,8 @@ using symbolic::Numbers;
 
 /// A real number or function as a quotient of formulas without inverses. It has a value only
 /// where none of `divisors` is 0 and none of `radicands` is negative: everything that was ever
-/// divided by, or taken an even root of, on the way and holds a variable, even where it cancels or
-/// is multiplied by 0. Quotients and roots of numbers are worked out at once (`Numbers`), so
+/// divided by, or taken an even root of, on the way and holds a variable, even where it cancels
+/// or is multiplied by 0. Quotients and roots of numbers are worked out at once (`Numbers`), so
 /// they leave neither.
 struct Scalar {
   Formula numerator = 0;

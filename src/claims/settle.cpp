@@ -3,10 +3,10 @@
 
 #include "claims/stating.h"
 
-// A predicate speaks of the points of its patches; their control points may be quotients and roots
-// of functions of parameters. Each of its statements becomes one for all values of these: an
-// identity of polynomials after the denominators are cleared, an inequality over the product of
-// both domains.
+// A predicate speaks of the points of its patches; their control points may be quotients and
+// roots of functions of parameters. Each of its statements becomes one for all values of these:
+// an identity of polynomials after the denominators are cleared, an inequality over the product
+// of both domains.
 
 namespace seam::claims {
 namespace {
@@ -22,8 +22,8 @@ bool is_bound(const std::string& variable, const Context& context) {
 Context for_all_variables(const Formula& f, Context context,
                           const std::vector<Parameter>& parameters) {
   for (const std::string& variable : symbolic::variables(f)) {
-    const bool is_parameter = std::ranges::any_of(
-        parameters, [&](const Parameter& p) { return p.name == variable; });
+    const bool is_parameter =
+        std::ranges::any_of(parameters, [&](const Parameter& p) { return p.name == variable; });
     if (!is_parameter && !is_bound(variable, context)) context.lines.push_back(variable);
   }
   return context;
@@ -38,8 +38,9 @@ bool is_settled(const symbolic::Sign& sign) {
            });
   };
   return is_plain(sign.formula) &&
-         std::ranges::all_of(sign.domain.where,
-                             [&](const auto& constraint) { return is_plain(constraint.formula); });
+         std::ranges::all_of(sign.domain.where, [&](const auto& constraint) {
+           return is_plain(constraint.formula);
+         });
 }
 
 }  // namespace
@@ -60,8 +61,8 @@ Proposition Stating::settled(Proposition p, const Context& context, const Expres
     all.factors.insert(all.factors.end(), sign->domain.factors.begin(),
                        sign->domain.factors.end());
     for (const symbolic::Constraint& constraint : sign->domain.where)
-      all.where.push_back(
-          related(scalar_of(constraint.formula, evaluator.numbers), constraint.relation, all, at));
+      all.where.push_back(related(scalar_of(constraint.formula, evaluator.numbers),
+                                  constraint.relation, all, at));
     const symbolic::Constraint c =
         related(scalar_of(sign->formula, evaluator.numbers), sign->relation, all, at);
     return holds(c.formula, c.relation, all, at, p.about);

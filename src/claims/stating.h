@@ -57,8 +57,9 @@ class Stating {
                                                                const Context&, bool positive);
 
   // settle.cpp
-  /// A proposition about a patch or a point, whose formulas may hold quotients, roots and variables
-  /// of the context, as one for all of the context, with guards for what its formulas rest on.
+  /// A proposition about a patch or a point, whose formulas may hold quotients, roots and
+  /// variables of the context, as one for all of the context, with guards for what its formulas
+  /// rest on.
   Proposition settled(Proposition, const Context&, const Expression& at);
 
   // quantifier.cpp
@@ -110,7 +111,8 @@ class Stating {
                       bool positive);
   std::optional<exact::Sign> likely_sign(const Formula&, const Context&);
   /// That it is not 0, with the sign it seems to have, which is returned.
-  std::optional<exact::Sign> guard_divisor(const Formula&, const Context&, const Expression& at);
+  std::optional<exact::Sign> guard_divisor(const Formula&, const Context&,
+                                           const Expression& at);
   void guard_roots(const Formula&, const Context&, const Expression& at);
   std::optional<exact::Sign> guard_denominator(const Formula&, const Context&,
                                                const Expression& at);

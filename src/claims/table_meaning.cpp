@@ -87,7 +87,8 @@ void Reader::table(const Item& item) {
   } catch (const Problem& problem) {
     report(problem.diagnostic);
   } catch (const Unsupported& unsupported) {
-    report({item.name_span, std::string("the columns of this table: ") + unsupported.what(), {}});
+    report(
+        {item.name_span, std::string("the columns of this table: ") + unsupported.what(), {}});
   } catch (const symbolic::NumberLimit& limit) {
     report({item.name_span, std::string("the columns of this table: ") + limit.what(), {}});
   } catch (const Broken&) {

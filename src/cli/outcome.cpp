@@ -118,9 +118,8 @@ Summary summary_of(const certificate::Obligation& obligation, const certificate:
   if (std::holds_alternative<certificate::Isolation>(proof))
     return {"isolation", "a box that holds a solution"};
   if (const auto* elimination = std::get_if<certificate::Elimination>(&proof))
-    return {"elimination",
-            "elimination, " + std::to_string(elimination->steps.size()) +
-                (elimination->steps.size() == 1 ? " step" : " steps")};
+    return {"elimination", "elimination, " + std::to_string(elimination->steps.size()) +
+                               (elimination->steps.size() == 1 ? " step" : " steps")};
   return {"witness", "a wrong solution"};
 }
 

@@ -25,9 +25,8 @@ void Atoms::add(const Formula& f) {
     if (known == entries_.end()) {
       std::string name = text(f, longest_name);
       // A name that breaks off may be that of another one too.
-      if (name.size() >= longest_name || std::ranges::any_of(entries_, [&](const Entry& e) {
-            return e.name == name;
-          }))
+      if (name.size() >= longest_name ||
+          std::ranges::any_of(entries_, [&](const Entry& e) { return e.name == name; }))
         name = "(" + std::to_string(entries_.size() + 1) + ") " + name;
       entries_.push_back({std::move(name), f});
     }

@@ -9,8 +9,8 @@
 
 namespace seam::symbolic {
 
-/// The roots and inverses of functions that stand in some formulas, each once and after those in
-/// its own operand, under names that are all different: `sqrt(1 - c^2)`. With them as
+/// The roots and inverses of functions that stand in some formulas, each once and after those
+/// in its own operand, under names that are all different: `sqrt(1 - c^2)`. With them as
 /// further symbols every formula is a polynomial. Keeps the formulas alive.
 class Atoms {
  public:

@@ -23,8 +23,9 @@ Coefficients coefficients(const Formula& f, const std::vector<std::string>& chos
     const auto inside = variables(entry.formula);
     for (const std::string& name : chosen)
       if (inside.contains(name))
-        throw FormulaLimit("what stands under a root or below a fraction bar is no polynomial in '" +
-                           name + "'");
+        throw FormulaLimit(
+            "what stands under a root or below a fraction bar is no polynomial in '" + name +
+            "'");
     ring_variables.push_back(entry.name);
     written.emplace(entry.name, entry.formula);
   }

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <unordered_map>
 
-// Printed formulas have denominators such as 3*(4 - 3*c^2) and (1 - c^2)*(4 - 3*c^2): products of
-// few factors that come back as they were written. To compare factors as trees costs next to
+// Printed formulas have denominators such as 3*(4 - 3*c^2) and (1 - c^2)*(4 - 3*c^2): products
+// of few factors that come back as they were written. To compare factors as trees costs next to
 // nothing and keeps degrees low; nothing rests on finding all common factors.
 
 namespace seam::symbolic {
@@ -46,8 +46,7 @@ Factors factors(const Formula& f) {
 
 Formula product(const Factors& all) {
   std::vector<Formula> result = {Formula(all.constant)};
-  for (const auto& [factor, exponent] : all.powers)
-    result.push_back(power(factor, exponent));
+  for (const auto& [factor, exponent] : all.powers) result.push_back(power(factor, exponent));
   return symbolic::product(std::move(result));
 }
 

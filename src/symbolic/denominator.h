@@ -8,8 +8,8 @@
 
 namespace seam::symbolic {
 
-/// A product as it is written: constant * factor^exponent * …, the factors different as trees, no
-/// constants, products or powers among them.
+/// A product as it is written: constant * factor^exponent * …, the factors different as trees,
+/// no constants, products or powers among them.
 struct Factors {
   exact::Rational constant = 1;
   std::vector<std::pair<Formula, int>> powers;
@@ -20,8 +20,8 @@ Formula product(const Factors&);
 /// a * b, factors that are the same as trees collected.
 Formula merged_product(const Formula& a, const Formula& b);
 
-/// A common multiple of two denominators: common = a * beside_a = b * beside_b. The least one, as
-/// far as factors are the same as trees.
+/// A common multiple of two denominators: common = a * beside_a = b * beside_b. The least one,
+/// as far as factors are the same as trees.
 struct Common {
   Formula common, beside_a, beside_b;
 };

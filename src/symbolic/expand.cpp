@@ -13,8 +13,7 @@ using exact::Polynomial;
 using exact::Rational;
 using exact::require;
 
-Expansion::Expansion(exact::RingPtr ring, Atoms atoms,
-                     std::map<std::string, Polynomial> values)
+Expansion::Expansion(exact::RingPtr ring, Atoms atoms, std::map<std::string, Polynomial> values)
     : ring_(std::move(ring)), atoms_(std::move(atoms)), values_(std::move(values)) {
   for (const Atoms::Entry& entry : atoms_.entries()) {
     if (entry.formula.kind() != Formula::Kind::root) continue;
@@ -79,7 +78,8 @@ Polynomial Expansion::compute(const Formula& formula) {
     }
     case Formula::Kind::product: {
       Polynomial result = ring_->constant(1);
-      for (const Formula& factor : formula.operands()) result = reduced(result * (*this)(factor));
+      for (const Formula& factor : formula.operands())
+        result = reduced(result * (*this)(factor));
       return result;
     }
     case Formula::Kind::power:

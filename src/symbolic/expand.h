@@ -6,14 +6,14 @@
 #include <unordered_map>
 
 #include "exact/polynomial.h"
-#include "symbolic/formula.h"
 #include "symbolic/atoms.h"
+#include "symbolic/formula.h"
 
 namespace seam::symbolic {
 
 /// What formulas are, expanded, in one ring; a shared node is expanded once. Keeps the formulas
-/// alive. Roots and inverses of functions are variables of the ring, under the names that `Atoms`
-/// gives them. Roots are reduced on the way: no power of one reaches its index.
+/// alive. Roots and inverses of functions are variables of the ring, under the names that
+/// `Atoms` gives them. Roots are reduced on the way: no power of one reaches its index.
 class Expansion {
  public:
   /// `values`: numbers for some of the symbols, over the tower of the ring or a lower one.

@@ -167,7 +167,8 @@ Formula resting(long constant, const std::vector<Formula>& on) {
   std::vector<Fact> needs;
   std::set<const void*> seen;
   for (const Formula& f : on) collect_needs(f, needs, seen);
-  return needs.empty() ? Formula(constant) : Formula::known(Formula(constant), std::move(needs));
+  return needs.empty() ? Formula(constant)
+                       : Formula::known(Formula(constant), std::move(needs));
 }
 
 }  // namespace

@@ -43,10 +43,9 @@ class Formula {
   static Formula known(Formula value, std::vector<Fact> facts);
 
   Kind kind() const;
-  const exact::Rational& value() const;  ///< of a constant
-  const std::string& name() const;       ///< of a symbol
-  const std::vector<Formula>& operands()
-      const;                               ///< one; of a sum, product: any number
+  const exact::Rational& value() const;          ///< of a constant
+  const std::string& name() const;               ///< of a symbol
+  const std::vector<Formula>& operands() const;  ///< one; of a sum, product: any number
   int exponent() const;                    ///< of a power, >= 0; the index of a root, >= 2
   const std::vector<Fact>& facts() const;  ///< of a known value
 
@@ -85,8 +84,8 @@ Formula power(const Formula& base, int exponent);  ///< exponent >= 0
 Formula inverse(const Formula&);                   ///< 1/x
 Formula root(const Formula& radicand, int index);  ///< index even
 
-/// The derivative with respect to a symbol. Facts about variables stay with the values they belong
-/// to; numbers have none.
+/// The derivative with respect to a symbol. Facts about variables stay with the values they
+/// belong to; numbers have none.
 Formula diff(const Formula&, const std::string& symbol);
 
 /// Every occurrence of a symbol in the map replaced, all at once.

@@ -26,14 +26,14 @@ struct NumberLimit : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The real algebraic numbers of one file: generators (roots of polynomials over earlier ones) and
-/// exact decisions about formulas without variables ("number formulas").
+/// The real algebraic numbers of one file: generators (roots of polynomials over earlier ones)
+/// and exact decisions about formulas without variables ("number formulas").
 ///
-/// Every decision is made in the field of just those generators that the numbers in question hold.
-/// In it each generator is either a further root, its polynomial factored over those before, or
-/// expressed by them. So a number is 0 exactly when its normal form is, and what a file holds
-/// besides costs nothing. Results are `known` formulas whose facts say what they are.
-/// Deterministic.
+/// Every decision is made in the field of just those generators that the numbers in question
+/// hold. In it each generator is either a further root, its polynomial factored over those
+/// before, or expressed by them. So a number is 0 exactly when its normal form is, and what a
+/// file holds besides costs nothing. Results are `known` formulas whose facts say what they
+/// are. Deterministic.
 class Numbers {
  public:
   Numbers();
@@ -82,7 +82,7 @@ class Numbers {
     exact::RingPtr ring;                              ///< no variables
     std::vector<Generator> generators;                ///< of its tower, irreducible in turn
     std::map<std::string, exact::Polynomial> values;  ///< of all generators, in the ring
-    std::map<std::string, Formula> dependent;         ///< those of no step, by the others; known
+    std::map<std::string, Formula> dependent;  ///< those of no step, by the others; known
   };
   /// Of the generators among these symbols.
   const Field& field(const std::set<std::string>& symbols) const;

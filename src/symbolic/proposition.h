@@ -91,8 +91,9 @@ struct Proposition {
 Proposition all(std::vector<Proposition> parts, std::string about = {});
 Proposition any(std::vector<Proposition> parts, std::string about = {});
 Proposition negation(Proposition part, std::string about = {});
-Proposition atom(std::variant<Zero, Sign, Solutions, OnlySolutions, OneSolution, Gluing, Distinct> statement,
-                 std::string about = {});
+Proposition atom(
+    std::variant<Zero, Sign, Solutions, OnlySolutions, OneSolution, Gluing, Distinct> statement,
+    std::string about = {});
 
 Proposition truth();      ///< all of nothing
 Proposition falsehood();  ///< any of nothing

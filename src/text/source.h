@@ -33,15 +33,16 @@ std::string_view line_at(const Source&, std::size_t offset);
 /// Something wrong in a file: what, where, and what would help.
 struct Diagnostic {
   Span where;
-  std::string message;   ///< `expected a closing parenthesis`
-  std::string hint;      ///< `did you mean 'gauss'?`; may be empty
+  std::string message;  ///< `expected a closing parenthesis`
+  std::string hint;     ///< `did you mean 'gauss'?`; may be empty
 };
 
-/// `file.seam:3:14: error: …`, the line, a mark under the place, the hint; several lines with a final newline.
+/// `file.seam:3:14: error: …`, the line, a mark under the place, the hint; several lines with a
+/// final newline.
 std::string render(const Diagnostic&);
 
-/// Of the known names the one nearest to `name` (Damerau-Levenshtein, at most a third of its length, at most
-/// 3), or nothing.
+/// Of the known names the one nearest to `name` (Damerau-Levenshtein, at most a third of its
+/// length, at most 3), or nothing.
 std::string nearest(std::string_view name, const std::vector<std::string>& known);
 
 }  // namespace seam::text

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What whole claims cost, those of a paper with a symbolic parameter, roots of functions of it and
-// nested radicals: proving each, and judging the certificate again.
+// What whole claims cost, those of a paper with a symbolic parameter, roots of functions of it
+// and nested radicals: proving each, and judging the certificate again.
 
 #include <benchmark/benchmark.h>
 
@@ -42,9 +42,9 @@ void reading(benchmark::State& state) {
   text << std::ifstream(paper).rdbuf();
   for (auto _ : state) {
     const auto source = std::make_shared<text::Source>(paper.string(), text.str());
-    benchmark::DoNotOptimize(claims::mean(
-        claims::parse(source).file,
-        [](const std::string&) { return std::shared_ptr<text::Source>(); }));
+    benchmark::DoNotOptimize(claims::mean(claims::parse(source).file, [](const std::string&) {
+      return std::shared_ptr<text::Source>();
+    }));
   }
 }
 BENCHMARK(reading)->Unit(benchmark::kMillisecond);
@@ -63,8 +63,8 @@ void judging(benchmark::State& state, const char* id) {
       return state.SkipWithError("not accepted");
 }
 
-#define CLAIM(name, id)                                             \
-  BENCHMARK_CAPTURE(proving, name, id)->Unit(benchmark::kMillisecond);    \
+#define CLAIM(name, id)                                                \
+  BENCHMARK_CAPTURE(proving, name, id)->Unit(benchmark::kMillisecond); \
   BENCHMARK_CAPTURE(judging, name, id)->Unit(benchmark::kMillisecond)
 
 CLAIM(curve_of_the_cubic_patch, "cubic.curve.second");

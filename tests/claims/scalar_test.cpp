@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "symbolic/denominator.h"
 #include "symbolic/coefficients.h"
+#include "symbolic/denominator.h"
 
 namespace seam::claims {
 namespace {

@@ -53,7 +53,8 @@ TEST(FunctionFormula, DerivativesFollowTheChainRule) {
   const Numbers numbers;
   const std::map<std::string, double> at = {{"c", 0.6}};
   EXPECT_NEAR(approximate(diff(sine(), "c"), at, numbers), -0.6 / 0.8, 1e-12);
-  EXPECT_NEAR(approximate(diff(inverse(sine()), "c"), at, numbers), 0.6 / std::pow(0.8, 3), 1e-12);
+  EXPECT_NEAR(approximate(diff(inverse(sine()), "c"), at, numbers), 0.6 / std::pow(0.8, 3),
+              1e-12);
 }
 
 TEST(FunctionFormula, AValueThatRestsOnAConditionKeepsItUnderSubstitution) {
