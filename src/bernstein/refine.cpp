@@ -6,34 +6,15 @@
 
 #include "bernstein/critical.h"
 #include "exact/field.h"
+#include "exact/recognise.h"
 
 // Newton's method with the gradient exact and the Hessian in doubles: each round gains about as
 // many bits as the Hessian at the start is right to. Ends: a round that gains none is the last.
 
 namespace seam::bernstein {
 
-using exact::Integer;
 using exact::Polynomial;
 using exact::Rational;
-
-namespace {
-
-Rational scaled(Rational x, long bits) {
-  if (bits >= 0)
-    mpq_mul_2exp(x.get_mpq_t(), x.get_mpq_t(), bits);
-  else
-    mpq_div_2exp(x.get_mpq_t(), x.get_mpq_t(), -bits);
-  return x;
-}
-
-Rational kept(const Rational& x, long bits) {
-  const Rational shifted = scaled(x, bits);
-  Integer whole;
-  mpz_fdiv_q(whole.get_mpz_t(), shifted.get_num_mpz_t(), shifted.get_den_mpz_t());
-  return scaled(Rational(whole), -bits);
-}
-
-}  // namespace
 
 std::optional<std::vector<Rational>> refined(const Polynomial& numerator,
                                              const Polynomial& denominator,
@@ -56,7 +37,7 @@ std::optional<std::vector<Rational>> refined(const Polynomial& numerator,
     const long precision = std::min(bits, gained + 96) + 32;
     std::vector<Polynomial> here;
     for (Rational& x : at) {
-      x = kept(x, precision);
+      x = exact::truncated(x, precision);
       here.push_back(numbers->constant(x));
     }
     const auto value = [&](const Polynomial& f) {
@@ -71,7 +52,7 @@ std::optional<std::vector<Rational>> refined(const Polynomial& numerator,
       const Rational s = slopes_below[i].is_zero()
                              ? value(slopes[i])
                              : Rational(value(slopes[i]) - ratio * value(slopes_below[i]));
-      slope.push_back(scaled(s, gained).get_d());
+      slope.push_back(exact::scaled(s, gained).get_d());
     }
     const auto step = solve(hessian, slope);
     if (step.empty()) return std::nullopt;
@@ -79,13 +60,13 @@ std::optional<std::vector<Rational>> refined(const Polynomial& numerator,
     for (std::size_t i = 0; i < size; ++i) {
       if (!std::isfinite(step[i])) return std::nullopt;
       largest = std::max(largest, std::abs(step[i]));
-      at[i] -= scaled(Rational(step[i]), -gained);
+      at[i] -= exact::scaled(Rational(step[i]), -gained);
     }
     const long more = -std::ilogb(largest) - 2;
     if (more < 4) return std::nullopt;
     gained += more;
   }
-  for (Rational& x : at) x = kept(x, bits + 32);
+  for (Rational& x : at) x = exact::truncated(x, bits + 32);
   return at;
 }
 

@@ -14,24 +14,6 @@ using symbolic::Constraint;
 using symbolic::Simplex;
 using Tuple = std::vector<Scalar>;
 
-std::string operation_of(Relation relation) {
-  switch (relation) {
-    case Relation::positive:
-      return ">";
-    case Relation::nonnegative:
-      return ">=";
-    case Relation::zero:
-      return "=";
-    case Relation::nonzero:
-      return "!=";
-    case Relation::nonpositive:
-      return "<=";
-    case Relation::negative:
-      return "<";
-  }
-  return "=";
-}
-
 bool same(const Scalar& a, const Scalar& b) {
   return a.numerator.same(b.numerator) && a.denominator.same(b.denominator);
 }
@@ -157,8 +139,7 @@ class Together {
                             const char* about) {
       Numbers& numbers = solving_.evaluator().numbers;
       const Scalar value = substitute(scalar_of(f, numbers), values, numbers);
-      const Constraint c =
-          stating_.compared(value, operation_of(relation), Scalar(0), context, at);
+      const Constraint c = stating_.related(value, relation, context, at);
       parts.push_back(stating_.holds(c.formula, c.relation, context, at, about));
     };
     for (const Formula& f : equations_)

@@ -21,21 +21,6 @@ Integer rounded(const Rational& x) {
   return result;
 }
 
-Rational scaled(Rational x, long bits) {
-  if (bits >= 0)
-    mpq_mul_2exp(x.get_mpq_t(), x.get_mpq_t(), bits);
-  else
-    mpq_div_2exp(x.get_mpq_t(), x.get_mpq_t(), -bits);
-  return x;
-}
-
-Rational truncated(const Rational& x, long bits) {
-  const Rational shifted = scaled(x, bits);
-  Integer whole;
-  mpz_fdiv_q(whole.get_mpz_t(), shifted.get_num_mpz_t(), shifted.get_den_mpz_t());
-  return scaled(Rational(whole), -bits);
-}
-
 // Small integers, not all 0, with sum r_i numbers_i about 0; none if there seem to be none.
 Coordinates relation(const std::vector<Rational>& numbers, long bits) {
   const int size = static_cast<int>(numbers.size());
@@ -61,6 +46,21 @@ Coordinates relation(const std::vector<Rational>& numbers, long bits) {
 }
 
 }  // namespace
+
+Rational scaled(Rational x, long bits) {
+  if (bits >= 0)
+    mpq_mul_2exp(x.get_mpq_t(), x.get_mpq_t(), bits);
+  else
+    mpq_div_2exp(x.get_mpq_t(), x.get_mpq_t(), -bits);
+  return x;
+}
+
+Rational truncated(const Rational& x, long bits) {
+  const Rational shifted = scaled(x, bits);
+  Integer whole;
+  mpz_fdiv_q(whole.get_mpz_t(), shifted.get_num_mpz_t(), shifted.get_den_mpz_t());
+  return scaled(Rational(whole), -bits);
+}
 
 std::optional<Polynomial> recognise(const RingPtr& numbers, const Rational& value, long bits) {
   const int size = dimension(numbers->tower());

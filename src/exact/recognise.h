@@ -16,6 +16,11 @@ std::optional<Polynomial> recognise(const RingPtr& numbers, const Rational& valu
 std::optional<Univariate> annihilator(const RingPtr& numbers, const Rational& value, int most,
                                       long bits);
 
+/// value * 2^bits, of either sign.
+Rational scaled(Rational value, long bits);
+/// The value with this many bits after the point, rounded down.
+Rational truncated(const Rational& value, long bits);
+
 /// The fraction of least denominator within `tolerance` of the value. Stern-Brocot.
 Rational simplest(const Rational& value, const Rational& tolerance);
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "exact/polynomial.h"
-#include "symbolic/denominator.h"
 #include "symbolic/expand.h"
 
 namespace seam::symbolic {
@@ -39,7 +38,7 @@ Coefficients coefficients(const Formula& f, const std::vector<std::string>& chos
 }
 
 bool vanishes(const Formula& f, const Numbers& numbers) {
-  return coefficients(cleared(f).numerator, {}, numbers).empty();
+  return coefficients(f, {}, numbers).empty();
 }
 
 }  // namespace seam::symbolic

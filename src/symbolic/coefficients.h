@@ -19,8 +19,8 @@ using Coefficients = std::map<std::vector<int>, Formula>;
 Coefficients coefficients(const Formula&, const std::vector<std::string>& variables,
                           const Numbers&);
 
-/// Whether the normal form of the numerator is 0; so the formula is, wherever it has a value.
-/// (One that holds roots may be 0 all the same.)
+/// Whether the normal form is 0; so the formula is, wherever it has a value. (One that holds
+/// roots or inverses may be 0 all the same.)
 bool vanishes(const Formula&, const Numbers&);
 
 }  // namespace seam::symbolic

@@ -2,7 +2,6 @@
 #include "symbolic/denominator.h"
 
 #include <algorithm>
-#include <unordered_map>
 
 // Printed formulas have denominators such as 3*(4 - 3*c^2) and (1 - c^2)*(4 - 3*c^2): products
 // of few factors that come back as they were written. To compare factors as trees costs next to
@@ -72,62 +71,6 @@ Common common_denominator(const Formula& a, const Formula& b) {
       beside_b.powers.emplace_back(factor, more);
   const Formula multiple = product(beside_a);
   return {merged_product(a, multiple), multiple, product(beside_b)};
-}
-
-namespace {
-
-class Clearing {
- public:
-  Quotient operator()(const Formula& f) {
-    if (f.is_polynomial() || f.kind() == Kind::root) return {f, 1};
-    if (const auto known = done_.find(f.identity()); known != done_.end()) return known->second;
-    Quotient result = compute(f);
-    done_.emplace(f.identity(), result);
-    return result;
-  }
-
- private:
-  Quotient compute(const Formula& f) {
-    const auto inner = [&] { return (*this)(f.operands()[0]); };
-    switch (f.kind()) {
-      case Kind::sum: {
-        Quotient result{0, 1};
-        for (const Formula& term : f.operands()) {
-          const Quotient next = (*this)(term);
-          const Common c = common_denominator(result.denominator, next.denominator);
-          result = {result.numerator * c.beside_a + next.numerator * c.beside_b, c.common};
-        }
-        return result;
-      }
-      case Kind::product: {
-        Quotient result{1, 1};
-        for (const Formula& factor : f.operands()) {
-          const Quotient next = (*this)(factor);
-          result = {result.numerator * next.numerator,
-                    merged_product(result.denominator, next.denominator)};
-        }
-        return result;
-      }
-      case Kind::power: {
-        const Quotient base = inner();
-        return {power(base.numerator, f.exponent()), power(base.denominator, f.exponent())};
-      }
-      case Kind::inverse: {
-        const Quotient below = inner();
-        return {below.denominator, below.numerator};
-      }
-      default:
-        return inner();
-    }
-  }
-
-  std::unordered_map<const void*, Quotient> done_;
-};
-
-}  // namespace
-
-Quotient cleared(const Formula& f) {
-  return Clearing()(f);
 }
 
 }  // namespace seam::symbolic

@@ -27,10 +27,4 @@ struct Common {
 };
 Common common_denominator(const Formula& a, const Formula& b);
 
-/// f = numerator / denominator where it has a value, neither holding inverses outside roots.
-struct Quotient {
-  Formula numerator, denominator;
-};
-Quotient cleared(const Formula&);
-
 }  // namespace seam::symbolic
