@@ -6,6 +6,7 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "claims/evaluate.h"
 #include "exact/contract.h"
 #include "symbolic/atoms.h"
 
@@ -78,6 +79,8 @@ class Exporter {
       case Formula::Kind::root:
         result = function(f, operands[0]);
         break;
+      case Formula::Kind::applied:
+        throw Unsupported("the function '" + f.name() + "'");
       case Formula::Kind::inverse:
         throw exact::ContractError("exported: a quotient that was not cleared");
       case Formula::Kind::known:

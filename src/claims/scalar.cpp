@@ -211,6 +211,19 @@ class Walk {
         return divide(Scalar(1), inner(), numbers_);
       case Formula::Kind::root:
         return nth_root(inner(), f.exponent(), numbers_);
+      case Formula::Kind::applied: {
+        std::vector<Formula> operands;
+        Scalar rest(0);
+        for (const Formula& operand : f.operands()) {
+          const Scalar value = (*this)(operand);
+          operands.push_back(value.denominator.is(1)
+                                 ? value.numerator
+                                 : value.numerator * symbolic::inverse(value.denominator));
+          rest = rest + value;
+        }
+        const Scalar result(Formula::applied(f.name(), std::move(operands), f.orders()));
+        return resting(result, rest, rest);
+      }
       default: {
         Scalar result = inner();
         for (const Fact& fact : f.facts()) {

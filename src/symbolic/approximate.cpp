@@ -43,10 +43,20 @@ class Approximation {
         return 1 / (*this)(f.operands()[0]);
       case Formula::Kind::root:
         return std::pow((*this)(f.operands()[0]), 1.0 / f.exponent());
+      case Formula::Kind::applied:
+        return applied(f.name(), (*this)(f.operands()[0]));
       case Formula::Kind::known:
         return (*this)(f.operands()[0]);
     }
     return result;
+  }
+
+  static double applied(const std::string& function, double x) {
+    if (function == "exp") return std::exp(x);
+    if (function == "sin") return std::sin(x);
+    if (function == "cos") return std::cos(x);
+    if (function == "log") return std::log(x);
+    return std::numeric_limits<double>::quiet_NaN();
   }
 
   const std::map<std::string, double>& point_;

@@ -18,7 +18,8 @@ void Atoms::add(const Formula& f) {
   for (const Formula& operand : f.operands()) add(operand);
   kept_.push_back(f);  // so that no other node can take its address
   std::size_t index = none;
-  if (f.kind() == Formula::Kind::root || f.kind() == Formula::Kind::inverse) {
+  if (f.kind() == Formula::Kind::root || f.kind() == Formula::Kind::inverse ||
+      f.kind() == Formula::Kind::applied) {
     const auto known =
         std::ranges::find_if(entries_, [&](const Entry& e) { return e.formula.same(f); });
     index = static_cast<std::size_t>(known - entries_.begin());

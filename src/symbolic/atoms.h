@@ -9,14 +9,14 @@
 
 namespace seam::symbolic {
 
-/// The roots and inverses of functions that stand in some formulas, each once and after those
-/// in its own operand, under names that are all different: `sqrt(1 - c^2)`. With them as
+/// The roots, inverses and applied functions that stand in some formulas, each once and after
+/// those in its own operand, under names that are all different: `sqrt(1 - c^2)`. With them as
 /// further symbols every formula is a polynomial. Keeps the formulas alive.
 class Atoms {
  public:
   struct Entry {
     std::string name;
-    Formula formula;  ///< of kind `root` or `inverse`
+    Formula formula;  ///< of kind `root`, `inverse` or `applied`
   };
 
   /// Adds those in a formula.

@@ -88,6 +88,7 @@ Polynomial Expansion::compute(const Formula& formula) {
       return (*this)(formula.operands()[0]);
     case Formula::Kind::root:
     case Formula::Kind::inverse:
+    case Formula::Kind::applied:
       return *ring_->symbol(atoms_[formula].name);
   }
   throw exact::ContractError("Expansion: no such kind of formula");

@@ -24,6 +24,7 @@ struct Formula::Node {
   std::string name;
   std::vector<Formula> operands;
   int exponent = 0;
+  std::vector<int> orders;
   std::vector<Fact> facts;
   std::size_t hash = 0;
   int depth = 0;
@@ -72,7 +73,7 @@ std::shared_ptr<Formula::Node> Formula::node(Kind kind, std::vector<Formula> ope
   auto node = std::make_shared<Node>();
   node->kind = kind;
   node->exponent = exponent;
-  node->polynomial = kind != Kind::inverse && kind != Kind::root;
+  node->polynomial = kind != Kind::inverse && kind != Kind::root && kind != Kind::applied;
   node->hash = mix(static_cast<std::size_t>(kind) + 3, exponent);
   for (const Formula& operand : operands) {
     node->hash = mix(node->hash, operand.node_->hash);
@@ -95,6 +96,19 @@ Formula Formula::known(Formula value, std::vector<Fact> facts) {
   return Formula(std::move(result));
 }
 
+Formula Formula::applied(std::string function, std::vector<Formula> operands,
+                         std::vector<int> orders) {
+  require(!operands.empty(), "Formula::applied: a function of nothing");
+  if (orders.empty()) orders.resize(operands.size(), 0);
+  require(orders.size() == operands.size(), "Formula::applied: not one order an operand");
+  auto result = node(Kind::applied, std::move(operands));
+  result->hash = mix(result->hash, std::hash<std::string>()(function));
+  for (const int order : orders) result->hash = mix(result->hash, order);
+  result->name = std::move(function);
+  result->orders = std::move(orders);
+  return Formula(std::move(result));
+}
+
 Formula::Kind Formula::kind() const {
   return node_->kind;
 }
@@ -103,7 +117,7 @@ const Rational& Formula::value() const {
   return node_->value;
 }
 const std::string& Formula::name() const {
-  require(kind() == Kind::symbol, "Formula::name: not a symbol");
+  require(kind() == Kind::symbol || kind() == Kind::applied, "Formula::name: it has none");
   return node_->name;
 }
 const std::vector<Formula>& Formula::operands() const {
@@ -111,6 +125,9 @@ const std::vector<Formula>& Formula::operands() const {
 }
 int Formula::exponent() const {
   return node_->exponent;
+}
+const std::vector<int>& Formula::orders() const {
+  return node_->orders;
 }
 const std::vector<Fact>& Formula::facts() const {
   return node_->facts;
@@ -127,7 +144,7 @@ bool Formula::same(const Formula& other) const {
   if (node_ == other.node_) return true;
   const Node &a = *node_, &b = *other.node_;
   if (a.hash != b.hash || a.kind != b.kind || a.exponent != b.exponent || a.name != b.name ||
-      a.value != b.value || a.operands.size() != b.operands.size())
+      a.value != b.value || a.orders != b.orders || a.operands.size() != b.operands.size())
     return false;
   return std::ranges::equal(a.operands, b.operands,
                             [](const Formula& x, const Formula& y) { return x.same(y); });
@@ -259,6 +276,8 @@ Formula rebuild(const Formula& f, const std::map<std::string, Formula>& map, Mem
         return inverse(operands[0]);
       case Formula::Kind::root:
         return root(operands[0], f.exponent());
+      case Formula::Kind::applied:
+        return Formula::applied(f.name(), std::move(operands), f.orders());
       default: {
         std::vector<Fact> facts;
         for (const Fact& fact : f.facts())
@@ -270,6 +289,18 @@ Formula rebuild(const Formula& f, const std::map<std::string, Formula>& map, Mem
   Formula result = changed ? rebuilt() : f;
   memo.emplace(f.identity(), result);
   return result;
+}
+
+// The derivative of an applied function in its operand i.
+Formula derived_in(const Formula& f, std::size_t i) {
+  const auto& operands = f.operands();
+  if (f.name() == "exp") return f;
+  if (f.name() == "sin") return Formula::applied("cos", operands);
+  if (f.name() == "cos") return -Formula::applied("sin", operands);
+  if (f.name() == "log") return inverse(operands[0]);
+  std::vector<int> orders = f.orders();
+  ++orders[i];
+  return Formula::applied(f.name(), operands, std::move(orders));
 }
 
 Formula derive(const Formula& f, const std::string& symbol, Memo& memo) {
@@ -297,6 +328,12 @@ Formula derive(const Formula& f, const std::string& symbol, Memo& memo) {
         return product({Formula(-1), power(f, 2), inner()});
       case Formula::Kind::root:
         return product({inner(), inverse(Formula(f.exponent()) * power(f, f.exponent() - 1))});
+      case Formula::Kind::applied:
+        for (std::size_t i = 0; i < operands.size(); ++i) {
+          const Formula rate = derive(operands[i], symbol, memo);
+          if (!rate.is(0)) terms.push_back(rate * derived_in(f, i));
+        }
+        return sum(std::move(terms));
       default:
         return Formula::known(inner(), f.facts());
     }
@@ -329,6 +366,10 @@ std::set<std::string> symbols(const Formula& f) {
   std::set<const void*> seen;
   collect(f, found, seen);
   return found;
+}
+
+bool is_elementary(const std::string& function) {
+  return function == "sin" || function == "cos" || function == "exp" || function == "log";
 }
 
 bool is_generator(const std::string& name) {

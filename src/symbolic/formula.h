@@ -26,13 +26,16 @@ struct FormulaLimit : std::runtime_error {
 ///
 /// Most formulas are polynomials. A quotient is a product with an `inverse`; `root` is the root
 /// >= 0 of a function (an even index). Either has a value only where its operand is not 0, not
-/// negative: whoever states something of such a formula states that too.
+/// negative: whoever states something of such a formula states that too. `applied` is a named
+/// function of its operands: `sin`, `cos`, `exp`, `log` are what they are called; any other
+/// name stands for an arbitrary smooth function, of which `orders` says how often it is derived
+/// in each operand.
 ///
 /// The names of generators (numbers such as `sqrt(5)`) hold a parenthesis; those of variables
 /// do not.
 class Formula {
  public:
-  enum class Kind { constant, symbol, sum, product, power, inverse, root, known };
+  enum class Kind { constant, symbol, sum, product, power, inverse, root, applied, known };
 
   Formula(long value = 0);
   explicit Formula(exact::Rational value);
@@ -42,16 +45,21 @@ class Formula {
   /// Whoever exports the formula exports the facts as guards.
   static Formula known(Formula value, std::vector<Fact> facts);
 
+  /// A function of one operand or more; `orders`: as many as operands, or none for all 0.
+  static Formula applied(std::string function, std::vector<Formula> operands,
+                         std::vector<int> orders = {});
+
   Kind kind() const;
   const exact::Rational& value() const;          ///< of a constant
-  const std::string& name() const;               ///< of a symbol
+  const std::string& name() const;               ///< of a symbol, an applied function
   const std::vector<Formula>& operands() const;  ///< one; of a sum, product: any number
   int exponent() const;                    ///< of a power, >= 0; the index of a root, >= 2
+  const std::vector<int>& orders() const;  ///< of an applied function; one an operand
   const std::vector<Fact>& facts() const;  ///< of a known value
 
   bool is_constant() const { return kind() == Kind::constant; }
   bool is(long value) const;
-  /// No inverse, no root, no fact about variables: a polynomial as it stands.
+  /// No inverse, root, applied function, no fact about variables: a polynomial as it stands.
   bool is_polynomial() const;
 
   /// Equal as trees. O(1) when shared or when the hashes differ.
@@ -96,6 +104,8 @@ std::set<std::string> symbols(const Formula&);
 std::set<std::string> variables(const Formula&);  ///< symbols that are not generators
 bool is_number(const Formula&);                   ///< no variables
 bool is_generator(const std::string& name);
+/// `sin`, `cos`, `exp`, `log`.
+bool is_elementary(const std::string& function);
 
 /// Infix text, for messages: `3*u^2 + sqrt(5)*v`; past `most` bytes it breaks off with `...` (a
 /// shared formula may be far longer as text).

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
 #include "symbolic/formula.h"
 
 // Ends soon although a shared formula may have exponentially many occurrences: nothing is
@@ -36,6 +38,8 @@ class Writer {
         write(f.operands()[0], Around::sum);
         text_ += f.exponent() == 2 ? ")" : ", " + std::to_string(f.exponent()) + ")";
         return;
+      case Formula::Kind::applied:
+        return write_applied(f);
       case Formula::Kind::power:
         return wrapped(around == Around::power, [&] {
           write(f.operands()[0], Around::power);
@@ -59,6 +63,29 @@ class Writer {
     if (needed) text_ += "(";
     inner();
     if (needed) text_ += ")";
+  }
+
+  // `x''(t)`; with more than three derivatives, or in one of several operands, `D(x, 2, 0)(s,
+  // t)`.
+  void write_applied(const Formula& f) {
+    const auto& orders = f.orders();
+    const bool is_plain = std::ranges::all_of(orders, [](int order) { return order == 0; });
+    if (orders.size() == 1 && orders[0] <= 3) {
+      text_ += f.name() + std::string(orders[0], '\'');
+    } else if (is_plain) {
+      text_ += f.name();
+    } else {
+      text_ += "D(" + f.name();
+      for (const int order : orders) text_ += ", " + std::to_string(order);
+      text_ += ")";
+    }
+    const char* separator = "(";
+    for (const Formula& operand : f.operands()) {
+      text_ += separator;
+      write(operand, Around::sum);
+      separator = ", ";
+    }
+    text_ += ")";
   }
 
   void write_product(const Formula& f) {

@@ -81,5 +81,27 @@ TEST(FunctionFormula, AnInnerRootComesBeforeTheOuterOne) {
   EXPECT_TRUE(atoms.entries()[1].formula.same(outer));
 }
 
+TEST(FunctionFormula, ElementaryFunctionsHaveTheirDerivatives) {
+  const Numbers numbers;
+  const Formula wave = Formula::applied("sin", {Formula(3) * c});
+  const Formula growth = Formula::applied("exp", {power(c, 2)});
+  const std::map<std::string, double> at = {{"c", 0.4}};
+  EXPECT_NEAR(approximate(diff(wave, "c"), at, numbers), 3 * std::cos(1.2), 1e-12);
+  EXPECT_NEAR(approximate(diff(diff(wave, "c"), "c"), at, numbers), -9 * std::sin(1.2), 1e-12);
+  EXPECT_NEAR(approximate(diff(growth, "c"), at, numbers), 0.8 * std::exp(0.16), 1e-12);
+  EXPECT_NEAR(approximate(diff(Formula::applied("log", {c}), "c"), at, numbers), 2.5, 1e-12);
+}
+
+TEST(FunctionFormula, AnArbitraryFunctionHasIndependentDerivatives) {
+  const Formula f = Formula::applied("f", {Formula(2) * c});
+  const Formula derived = Formula(2) * Formula::applied("f", {Formula(2) * c}, {1});
+  EXPECT_TRUE(diff(f, "c").same(derived));
+  EXPECT_TRUE(diff(f, "u").is(0));
+  EXPECT_EQ(text(diff(f, "c")), "2*f'(2*c)");
+  const Formula g = Formula::applied("g", {c, u});
+  EXPECT_EQ(text(diff(diff(g, "u"), "c")), "D(g, 1, 1)(c, u)");
+  EXPECT_EQ(text(subst(g, {{"u", Formula(1)}})), "g(c, 1)");
+}
+
 }  // namespace
 }  // namespace seam::symbolic
