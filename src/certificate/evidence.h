@@ -20,7 +20,8 @@ struct Nothing {
 };
 
 /// "Compute and see": for Zero the normal form, for Sign over no factor the enclosure
-/// (and the normal form where that is 0), for Gluing and Distinct the count. Holds or fails.
+/// (and the normal form where that is 0), for Gluing, Distinct and Mesh the count. Holds or
+/// fails.
 struct Computation {
   bool operator==(const Computation&) const = default;
 };

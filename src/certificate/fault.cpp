@@ -147,6 +147,24 @@ class Terms {
     }
   }
 
+  void operator()(const Mesh& mesh) const {
+    demand(mesh.vertices >= 0, "a negative number of vertices");
+    demand(mesh.points.empty() || std::cmp_equal(mesh.points.size(), mesh.vertices),
+           "not one point for each vertex");
+    for (const auto& point : mesh.points) {
+      demand(point.size() == 3, "a vertex has not three coordinates");
+      demand_terms(point);
+    }
+    for (std::vector<int> face : mesh.faces) {
+      demand(face.size() >= 3, "a face of less than three corners");
+      for (const int vertex : face)
+        demand(vertex >= 0 && vertex < mesh.vertices, "a face at no vertex");
+      std::ranges::sort(face);
+      demand(std::ranges::adjacent_find(face) == face.end(), "a face twice at one vertex");
+    }
+    demand_terms(mesh.ratios);
+  }
+
   void operator()(const Nothing&) const {}
   void operator()(const Computation&) const {}
 

@@ -108,6 +108,20 @@ Gluing read_gluing(const Reader& in) {
           in["seams"].list(read_seam), in["euler"].integer()};
 }
 
+Mesh read_mesh(const Reader& in) {
+  in.members({"vertices", "points", "faces", "ratios", "property", "values"});
+  const auto read_integers = [](const Reader& list) { return list.integers(); };
+  using enum Mesh::Property;
+  return {in["vertices"].integer(),
+          in["points"].list(read_integers),
+          in["faces"].list(read_integers),
+          in["ratios"].integers(),
+          read_spelling(in["property"],
+                        std::array{counts, face_sizes, valences, valence, connected, closed,
+                                   manifold, orientable, oriented, planar, convex}),
+          in["values"].integers()};
+}
+
 Obligation read_obligation(const Reader& in) {
   const std::string kind = in.only_member();
   if (kind == "zero") return Zero{in["zero"].integer()};
@@ -116,6 +130,7 @@ Obligation read_obligation(const Reader& in) {
   if (kind == "only_solutions") return read_only_solutions(in["only_solutions"]);
   if (kind == "one_solution") return read_one_solution(in["one_solution"]);
   if (kind == "gluing") return read_gluing(in["gluing"]);
+  if (kind == "mesh") return read_mesh(in["mesh"]);
   return Distinct{in["distinct"].list([](const Reader& tuple) { return tuple.integers(); })};
 }
 

@@ -182,8 +182,47 @@ struct Distinct {
   bool operator==(const Distinct&) const = default;
 };
 
+/// A mesh, truncated as often as there are `ratios`, has the property. Vertices are numbered
+/// from 0; a face is a list of vertices, all different, three at least, in the order of its
+/// corners; what follows the last is the first. An edge is an unordered pair of vertices that
+/// follow each other in a face.
+///
+/// Truncation at the ratio r, 0 < r < 1/2: each edge ab is cut at a + r (b - a) and
+/// b + r (a - b). It is for an oriented manifold without a vertex that is on no face. New
+/// vertex number i is the cut near the first end of side i; the sides are numbered face by
+/// face, from each corner to the next. New face number f, below the number of faces, has the
+/// cuts of the sides of face f, in order, each at both ends; then there follows for each
+/// vertex, in order, the face of the cuts near it, turned so that the mesh is oriented again.
+struct Mesh {
+  enum class Property {
+    counts,      ///< values: vertices, edges, faces
+    face_sizes,  ///< values: size, how many faces of it, by rising size
+    valences,    ///< values: valence, how many vertices of it (its edges), by rising valence
+    valence,     ///< values: vertex, its valence
+    connected,   ///< from each vertex to each other along edges
+    closed,      ///< connected, and each edge is on exactly two faces
+    manifold,    ///< each edge is on exactly two faces; the faces round each vertex form one
+                 ///< cycle, and there are some
+    orientable,  ///< no edge is on more than two faces, and the faces can be turned so that
+                 ///< those of an edge pass it in opposite senses
+    oriented,  ///< each edge is on exactly two faces, and these pass it in opposite senses
+    planar,    ///< the corners of each face are in one plane; values: of these faces alone
+    convex     ///< the boundary of a convex polyhedron with these vertices and these faces,
+               ///< each counterclockwise seen from outside
+  };
+  int vertices = 0;
+  std::vector<std::vector<Term>> points;  ///< three coordinates a vertex, for planar and convex;
+                                          ///< else none need be there, and none is looked at
+  std::vector<std::vector<int>> faces;
+  std::vector<Term> ratios;
+  Property property = Property::counts;
+  std::vector<int> values;
+
+  bool operator==(const Mesh&) const = default;
+};
+
 using Obligation =
-    std::variant<Zero, Sign, Solutions, OnlySolutions, OneSolution, Gluing, Distinct>;
+    std::variant<Zero, Sign, Solutions, OnlySolutions, OneSolution, Gluing, Distinct, Mesh>;
 
 /// A combination of obligations. `all` of nothing holds; `any` of nothing fails.
 struct Goal {

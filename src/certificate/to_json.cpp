@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later OR BSL-1.0
 #include "certificate/to_json.h"
 
+#include <array>
 #include <stdexcept>
 
 #include "certificate/json.h"
@@ -141,6 +142,16 @@ Json to_json(const Gluing& gluing) {
 
 Json to_json(const Distinct& distinct) {
   return {{"distinct", list(distinct.tuples)}};
+}
+
+Json to_json(const Mesh& mesh) {
+  return {{"mesh",
+           {{"vertices", mesh.vertices},
+            {"points", list(mesh.points)},
+            {"faces", list(mesh.faces)},
+            {"ratios", list(mesh.ratios)},
+            {"property", spelling(mesh.property)},
+            {"values", list(mesh.values)}}}};
 }
 
 Json to_json(const Goal& goal) {
@@ -327,6 +338,13 @@ const char* spelling(Relation relation) {
       return "<";
   }
   throw FormatError("a relation of no kind");
+}
+
+const char* spelling(Mesh::Property property) {
+  static constexpr std::array names = {"counts",    "face_sizes", "valences", "valence",
+                                       "connected", "closed",     "manifold", "orientable",
+                                       "oriented",  "planar",     "convex"};
+  return names.at(static_cast<std::size_t>(property));
 }
 
 const char* spelling(Verdict verdict) {

@@ -11,6 +11,8 @@ Json to_json(const Certificate&);
 
 /// The spelling of a relation: > >= = != <= <.
 const char* spelling(Relation);
+/// The spelling of a property of a mesh: its name.
+const char* spelling(Mesh::Property);
 /// The spelling of a verdict: its name.
 const char* spelling(Verdict);
 

@@ -28,6 +28,9 @@ class Context {
   Ring& ring() { return ring_; }
   Tower& tower() { return tower_; }
 
+  /// Where the obligation that is looked at fails, in words, if its rule says so.
+  std::string failed_at;
+
   /// The normal form of a term.
   Polynomial value(certificate::Term);
   /// The same; throws `Open` if it holds a variable.

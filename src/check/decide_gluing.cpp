@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later OR BSL-1.0
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
+#include "check/partition.h"
 #include "check/rules.h"
 
 // Corners and patches are merged along seams; what is left of each is counted. Only
@@ -13,32 +13,6 @@ namespace seam::check {
 namespace {
 
 using certificate::Gluing;
-
-/// Disjoint sets of 0 ... size - 1.
-class Partition {
- public:
-  explicit Partition(std::size_t size) : parent_(size), classes_(static_cast<long>(size)) {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-  }
-  long classes() const { return classes_; }
-
-  void merge(std::size_t a, std::size_t b) {
-    a = root(a);
-    b = root(b);
-    if (a == b) return;
-    parent_[a] = b;
-    --classes_;
-  }
-
- private:
-  std::size_t root(std::size_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-
-  std::vector<std::size_t> parent_;
-  long classes_;
-};
 
 // As many sides as corners, two at each corner, connected: one closed polygon.
 bool is_polygon(const std::vector<Gluing::Side>& sides) {

@@ -5,6 +5,7 @@
 #include <exception>
 #include <new>
 #include <optional>
+#include <utility>
 
 #include "certificate/fault.h"
 #include "check/rules.h"
@@ -46,6 +47,8 @@ Finding find(Context& context, const certificate::Obligation& obligation, const 
                       obligation);
   });
   if (decided) finding.kind = *decided ? Kind::holds : Kind::fails;
+  const std::string place = std::exchange(context.failed_at, {});
+  if (finding.kind == Kind::fails) finding.reason = place;
   return finding;
 }
 

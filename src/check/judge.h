@@ -12,7 +12,8 @@ namespace seam::check {
 struct Finding {
   enum class Kind { holds, fails, open };
   Kind kind = Kind::open;
-  std::string reason;  ///< for `open`: why the evidence shows nothing
+  std::string reason;  ///< for `open`: why the evidence shows nothing; for `fails`: where it
+                       ///< does, if that is a place in a mesh
 };
 
 struct Judgement {

@@ -15,6 +15,7 @@ bool decide(Context&, const certificate::OnlySolutions&, const certificate::Proo
 bool decide(Context&, const certificate::OneSolution&, const certificate::Proof&);
 bool decide(Context&, const certificate::Gluing&, const certificate::Proof&);
 bool decide(Context&, const certificate::Distinct&, const certificate::Proof&);
+bool decide(Context&, const certificate::Mesh&, const certificate::Proof&);
 
 /// Returns only if the proof shows `formula relation 0` on the region; else throws `Open`.
 /// Requires that the formula holds no variables but the region's.

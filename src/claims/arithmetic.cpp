@@ -38,7 +38,7 @@ std::optional<Value> moved(Evaluator& evaluator, const Expression& at, const Val
   }
   if (const auto* patch = value.as<Patch>()) return Value{geometry::map(*patch, motion)};
   if (const auto* mesh = value.as<Mesh>()) {
-    Mesh image = *mesh;
+    Mesh image{mesh->vertices, mesh->faces};
     for (Point& point : image.vertices) point = motion(point);
     return Value{solid(std::move(image), at)};
   }

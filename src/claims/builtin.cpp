@@ -6,10 +6,10 @@
 namespace seam::claims {
 namespace {
 
-std::array<const Builtins*, 8> tables() {
-  return {&number_builtins(),   &function_builtins(), &coefficient_builtins(),
-          &vector_builtins(),   &patch_builtins(),    &solid_builtins(),
-          &extremum_builtins(), &minimax_builtins()};
+std::array<const Builtins*, 9> tables() {
+  return {&number_builtins(), &function_builtins(), &coefficient_builtins(),
+          &vector_builtins(), &patch_builtins(),    &solid_builtins(),
+          &mesh_builtins(),   &extremum_builtins(), &minimax_builtins()};
 }
 
 using Solid = geometry::Mesh (*)(Numbers&);

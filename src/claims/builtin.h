@@ -42,6 +42,7 @@ const Builtins& coefficient_builtins();  ///< degree coefficients bernstein
 const Builtins& vector_builtins();       ///< dot cross det norm2 …
 const Builtins& patch_builtins();        ///< D1 D2 normal gauss control edge …
 const Builtins& solid_builtins();        ///< faces dual rotations orbit surface …
+const Builtins& mesh_builtins();         ///< mesh truncate counts valences …
 const Builtins& extremum_builtins();     ///< max min argmax argmin
 const Builtins& minimax_builtins();      ///< minimax
 
@@ -49,6 +50,9 @@ const Builtins& minimax_builtins();      ///< minimax
 /// `Unsupported`, where they would not.
 geometry::Surface glue(std::vector<geometry::Patch>, const Expression& at, const Numbers&);
 geometry::Mesh solid(geometry::Mesh, const Expression& at);
+/// An error at `at` where a face has less than three corners.
+void require_faces(const geometry::Mesh&, const Expression& at);
+void require_in_space(const symbolic::Point&, const Expression& at, const char* what);
 
 /// A value given by an `each` argument (`sum(E for i in R)`) or by a list: its items.
 std::vector<Value> items_of_argument(const Call&);

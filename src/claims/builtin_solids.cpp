@@ -5,7 +5,7 @@ namespace seam::claims {
 
 using symbolic::Point;
 
-static void require_in_space(const Point& point, const Expression& at, const char* what) {
+void require_in_space(const Point& point, const Expression& at, const char* what) {
   if (point.size() != 3)
     fail(at, std::string("expected ") + what + " in space, with three coordinates");
   for (const Formula& entry : point)
@@ -62,13 +62,6 @@ Value edges(const Call& call) {
 }
 Value faces(const Call& call) {
   return {list_of(geometry::faces(mesh(call)), call.evaluator.numbers)};
-}
-
-Value valence(const Call& call) {
-  const Point point = as_point(call.evaluator, call.value(1), call[1]);
-  require_in_space(point, call[1], "a vertex");
-  return {
-      Scalar(static_cast<long>(geometry::valence(mesh(call), point, call.evaluator.numbers)))};
 }
 
 // The mean of the points; of a solid, of its vertices.
@@ -173,41 +166,17 @@ Value corners(const Call& call) {
   return {list};
 }
 
-Value mesh_of(const Call& call) {
-  Mesh result;
-  result.vertices = as_points(call.evaluator, call.value(0), call[0]);
-  for (const Value& face : as_items(call.evaluator, call.value(1), call[1])) {
-    result.faces.emplace_back();
-    for (const Value& index : as_items(call.evaluator, face, call[1])) {
-      const long k = as_integer(call.evaluator, index, call[1]);
-      if (k < 1 || k > std::ssize(result.vertices)) fail(call[1], "no vertex of this number");
-      result.faces.back().push_back(static_cast<int>(k - 1));
-    }
-  }
-  return {solid(std::move(result), call[0])};
-}
-
-// V, E, F.
-Value counts(const Call& call) {
-  const Mesh m = mesh(call);
-  return {Vector{Scalar(static_cast<long>(m.vertices.size())),
-                 Scalar(static_cast<long>(geometry::edges(m).size())),
-                 Scalar(static_cast<long>(m.faces.size()))}};
-}
-
 }  // namespace
 
 const Builtins& solid_builtins() {
   static const Builtins table = {
-      {"vertices", {1, 1, vertices}},   {"edges", {1, 1, edges}},
-      {"faces", {1, 1, faces}},         {"valence", {2, 2, valence}},
-      {"centroid", {1, 1, centroid}},   {"midpoint", {1, 2, midpoint}},
-      {"dual", {1, 1, dual}},           {"scale", {2, 2, scale}},
-      {"rotations", {1, 1, rotations}}, {"symmetries", {1, 1, symmetries}},
-      {"orbit", {2, 2, orbit}},         {"surface", {1, 1, surface}},
-      {"patches", {1, 1, patches}},     {"seams", {1, 1, seams}},
-      {"corners", {1, 1, corners}},     {"mesh", {2, 2, mesh_of}},
-      {"counts", {1, 1, counts}}};
+      {"vertices", {1, 1, vertices}},     {"edges", {1, 1, edges}},
+      {"faces", {1, 1, faces}},           {"centroid", {1, 1, centroid}},
+      {"midpoint", {1, 2, midpoint}},     {"dual", {1, 1, dual}},
+      {"scale", {2, 2, scale}},           {"rotations", {1, 1, rotations}},
+      {"symmetries", {1, 1, symmetries}}, {"orbit", {2, 2, orbit}},
+      {"surface", {1, 1, surface}},       {"patches", {1, 1, patches}},
+      {"seams", {1, 1, seams}},           {"corners", {1, 1, corners}}};
   return table;
 }
 

@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "claims/evaluate.h"
+#include "claims/mesh_words.h"
 #include "exact/contract.h"
 #include "symbolic/atoms.h"
 
@@ -171,6 +172,12 @@ class Exporter {
     return result;
   }
 
+  certificate::Obligation obligation(const symbolic::Mesh& m) {
+    certificate::Mesh result{m.vertices, {}, m.faces, terms(m.ratios), m.property, m.values};
+    for (const Point& point : m.points) result.points.push_back(terms(point));
+    return result;
+  }
+
   int add(certificate::Obligation o, const std::string& about, std::string text) {
     auto& all = result_.statement.obligations;
     const std::size_t bucket = o.index() * 1'000'003 + std::hash<std::string>()(text);
@@ -292,6 +299,10 @@ class Exporter {
   void gather(const symbolic::Distinct& d) {
     for (const Point& tuple : d.tuples) gather(tuple);
   }
+  void gather(const symbolic::Mesh& m) {
+    for (const Point& point : m.points) gather(point);
+    gather(m.ratios);
+  }
   void gather(const Proposition& p) {
     for (const Proposition& part : p.parts) gather(part);
     if (p.kind == Proposition::Kind::atom)
@@ -344,6 +355,7 @@ class Exporter {
   static std::string describe(const symbolic::Distinct& d) {
     return std::to_string(d.tuples.size()) + " different items";
   }
+  static std::string describe(const symbolic::Mesh& m) { return describe_mesh(m); }
 
   const Numbers& numbers_;
   const Numbers::Field* field_ = nullptr;

@@ -15,6 +15,7 @@ namespace {
 using geometry::Criterion;
 using geometry::Curve;
 using geometry::Patch;
+using geometry::Property;
 using geometry::Surface;
 
 constexpr int max_order = 8;
@@ -39,6 +40,12 @@ struct Arguments {
     if (!found)
       fail(place(i), "expected a surface, found " + description(values[i]),
            "surface([p, q]) and orbit(p, G) are surfaces");
+    return *found;
+  }
+  const geometry::Mesh& mesh(std::size_t i) const {
+    const auto* found = values[i].as<geometry::Mesh>();
+    if (!found) fail(place(i), "expected a mesh, found " + description(values[i]));
+    require_faces(*found, place(i));
     return *found;
   }
   int order(std::size_t i) const {
@@ -101,10 +108,17 @@ Criterion c_of_order(const Arguments& a) {
       a, 1, [=](const geometry::Contact& c) { return geometry::equal_derivatives(c, order); });
 }
 
+template <Property property>
+Criterion of_mesh(const Arguments& a) {
+  return {geometry::has(a.mesh(0), property)};
+}
+
 Criterion closed(const Arguments& a) {
+  if (a.values[0].as<geometry::Mesh>()) return of_mesh<Property::closed>(a);
   return {geometry::closed(a.surface(0), a.numbers())};
 }
 Criterion convex(const Arguments& a) {
+  if (a.values[0].as<geometry::Mesh>()) return of_mesh<Property::convex>(a);
   return {geometry::convex(a.surface(0), a.numbers())};
 }
 
@@ -124,6 +138,7 @@ Criterion interpolates(const Arguments& a) {
 }
 
 Criterion planar(const Arguments& a) {
+  if (a.values[0].as<geometry::Mesh>()) return of_mesh<Property::planar>(a);
   const auto points = as_points(a.evaluator, a.values[0], a.place(0));
   if (points.empty() || points[0].size() != 3)
     fail(a.place(0), "expected points with three coordinates");
@@ -145,18 +160,23 @@ Criterion congruent(const Arguments& a) {
 }
 
 const std::map<std::string, Entry>& table() {
-  static const std::map<std::string, Entry> all = {{"regular", {1, 1, regular}},
-                                                   {"G0", {2, 2, g0}},
-                                                   {"G1", {1, 2, g1}},
-                                                   {"G2", {1, 2, g2}},
-                                                   {"G", {3, 3, g_of_order}},
-                                                   {"C", {3, 3, c_of_order}},
-                                                   {"closed", {1, 1, closed}},
-                                                   {"convex", {1, 1, convex}},
-                                                   {"interpolates", {2, 2, interpolates}},
-                                                   {"planar", {1, 1, planar}},
-                                                   {"similar", {2, 2, similar}},
-                                                   {"congruent", {2, 2, congruent}}};
+  static const std::map<std::string, Entry> all = {
+      {"regular", {1, 1, regular}},
+      {"G0", {2, 2, g0}},
+      {"G1", {1, 2, g1}},
+      {"G2", {1, 2, g2}},
+      {"G", {3, 3, g_of_order}},
+      {"C", {3, 3, c_of_order}},
+      {"closed", {1, 1, closed}},
+      {"convex", {1, 1, convex}},
+      {"interpolates", {2, 2, interpolates}},
+      {"planar", {1, 1, planar}},
+      {"connected", {1, 1, of_mesh<Property::connected>}},
+      {"manifold", {1, 1, of_mesh<Property::manifold>}},
+      {"orientable", {1, 1, of_mesh<Property::orientable>}},
+      {"oriented", {1, 1, of_mesh<Property::oriented>}},
+      {"similar", {2, 2, similar}},
+      {"congruent", {2, 2, congruent}}};
   return all;
 }
 

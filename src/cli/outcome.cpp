@@ -83,7 +83,7 @@ const char* negated_sign(certificate::Relation relation) {
 
 std::string kind_of(const certificate::Obligation& obligation) {
   static const char* const names[] = {"zero",      "sign",   "solutions", "solutions",
-                                      "solutions", "gluing", "distinct"};
+                                      "solutions", "gluing", "distinct",  "mesh"};
   return names[obligation.index()];
 }
 
@@ -147,6 +147,17 @@ std::string isolated(const certificate::OneSolution& stated,
   return "a solution with " + result;
 }
 
+// What was counted on a mesh, for a claim that is wrong about it.
+std::string counted_of(const Statement& statement, const check::Judgement& judgement,
+                       const claims::Exported& exported) {
+  std::string result;
+  for (const int guard : statement.guards)
+    if (std::holds_alternative<certificate::Mesh>(statement.obligations[guard]) &&
+        judgement.findings[guard].kind == check::Finding::Kind::holds)
+      result += (result.empty() ? "" : "; ") + exported.text[guard];
+  return result.size() > 300 ? std::string() : result;
+}
+
 // What refutes: the point of the first obligation that fails by one, and the relation that
 // holds there instead.
 std::string witness_of(const Statement& statement, const Evidence& evidence,
@@ -157,6 +168,7 @@ std::string witness_of(const Statement& statement, const Evidence& evidence,
     const bool known = evidence.generators.empty() && symbolic::is_number(f);
     return readable(symbolic::text(known ? normal_form(f) : f, most));
   };
+  const std::string counted = counted_of(statement, judgement, exported);
   for (std::size_t i = 0; i < evidence.proofs.size(); ++i) {
     if (judgement.findings[i].kind != check::Finding::Kind::fails) continue;
     if (const auto* wrong = std::get_if<certificate::WrongSolution>(&evidence.proofs[i])) {
@@ -168,6 +180,7 @@ std::string witness_of(const Statement& statement, const Evidence& evidence,
     if (const auto* witness = std::get_if<certificate::Witness>(&evidence.proofs[i])) {
       if (std::holds_alternative<certificate::OnlySolutions>(statement.obligations[i]))
         return point_text(witness->point, formulas) + " is a solution too";
+      if (witness->point.variables.empty() && !counted.empty()) return counted;
       const auto* sign = std::get_if<certificate::Sign>(&statement.obligations[i]);
       const Formula formula = formulas(
           sign ? sign->formula : std::get<certificate::Zero>(statement.obligations[i]).formula);
@@ -182,6 +195,10 @@ std::string witness_of(const Statement& statement, const Evidence& evidence,
              (sign ? negated_sign(sign->relation) : "!= 0") + about;
     }
   }
+  for (const check::Finding& finding : judgement.findings)
+    if (finding.kind == check::Finding::Kind::fails && !finding.reason.empty())
+      return finding.reason;
+  if (!counted.empty()) return counted;
   for (std::size_t i = 0; i < judgement.findings.size(); ++i)
     if (judgement.findings[i].kind == check::Finding::Kind::fails)
       return "not: " + readable(exported.text[i]) +

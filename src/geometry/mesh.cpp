@@ -22,6 +22,15 @@ std::set<IndexPair> edge_indices(const Mesh& mesh) {
   return result;
 }
 
+std::vector<int> multiset(const std::map<int, int>& count) {
+  std::vector<int> result;
+  for (const auto& [number, times] : count) {
+    result.push_back(number);
+    result.push_back(times);
+  }
+  return result;
+}
+
 // Round a vertex, counterclockwise: the face left of the side that leaves for x comes to the
 // vertex from some y; the next face is the one left of the side that leaves for y. Every face
 // is passed once, or the walk breaks off.
@@ -63,11 +72,53 @@ std::vector<MeshEdge> edges(const Mesh& mesh) {
   return result;
 }
 
-int valence(const Mesh& mesh, const Point& vertex, const Numbers& numbers) {
-  const auto index = PointIndex(mesh.vertices, numbers).find(vertex);
+std::optional<int> find_vertex(const Mesh& mesh, const Point& vertex, const Numbers& numbers) {
+  const auto same = [](const Formula& a, const Formula& b) { return a.same(b); };
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
+    if (std::ranges::equal(mesh.vertices[i], vertex, same)) return static_cast<int>(i);
+  return PointIndex(mesh.vertices, numbers).find(vertex);
+}
+
+int valence(const Mesh& mesh, int vertex) {
   return static_cast<int>(std::ranges::count_if(edge_indices(mesh), [&](const IndexPair& edge) {
-    return edge.first == index || edge.second == index;
+    return edge.first == vertex || edge.second == vertex;
   }));
+}
+
+symbolic::Proposition has(const Mesh& mesh, Property property, std::vector<int> values,
+                          std::string about) {
+  const Mesh& base = mesh.base ? *mesh.base : mesh;
+  symbolic::Mesh stated{static_cast<int>(base.vertices.size()),
+                        {},
+                        base.faces,
+                        mesh.ratios,
+                        property,
+                        std::move(values)};
+  if (property == Property::planar || property == Property::convex)
+    stated.points = base.vertices;
+  return symbolic::atom(std::move(stated), std::move(about));
+}
+
+std::vector<int> counts(const Mesh& mesh) {
+  return {static_cast<int>(mesh.vertices.size()), static_cast<int>(edge_indices(mesh).size()),
+          static_cast<int>(mesh.faces.size())};
+}
+
+std::vector<int> face_sizes(const Mesh& mesh) {
+  std::map<int, int> count;
+  for (const auto& face : mesh.faces) ++count[static_cast<int>(face.size())];
+  return multiset(count);
+}
+
+std::vector<int> valences(const Mesh& mesh) {
+  std::vector<int> edges(mesh.vertices.size(), 0);
+  for (const auto& [a, b] : edge_indices(mesh)) {
+    ++edges.at(a);
+    ++edges.at(b);
+  }
+  std::map<int, int> count;
+  for (const int n : edges) ++count[n];
+  return multiset(count);
 }
 
 Point centroid(const std::vector<Point>& points, Numbers& numbers) {
@@ -95,7 +146,7 @@ Mesh dual(const Mesh& mesh, Numbers& numbers) {
 }
 
 Mesh scale(const Formula& k, const Mesh& mesh) {
-  Mesh result = mesh;
+  Mesh result{mesh.vertices, mesh.faces};
   for (Point& vertex : result.vertices) vertex = k * vertex;
   return result;
 }

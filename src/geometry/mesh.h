@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "geometry/vector.h"
 #include "symbolic/numbers.h"
+#include "symbolic/proposition.h"
 
 namespace seam::geometry {
 
@@ -15,6 +19,10 @@ using symbolic::Numbers;
 struct Mesh {
   std::vector<Point> vertices;
   std::vector<std::vector<int>> faces;
+
+  /// Of a mesh that came of truncation: what was truncated, and at which ratios, in order.
+  std::shared_ptr<const Mesh> base = nullptr;
+  std::vector<Formula> ratios = {};
 };
 
 using Face = std::vector<Point>;
@@ -22,9 +30,20 @@ using MeshEdge = std::vector<Point>;  ///< two points
 
 std::vector<Face> faces(const Mesh&);
 std::vector<MeshEdge> edges(const Mesh&);  ///< each once, by rising vertex indices
-int valence(const Mesh&, const Point& vertex,
-            const Numbers&);                          ///< the edges that end in this point
+std::optional<int> find_vertex(const Mesh&, const Point&, const Numbers&);
+int valence(const Mesh&, int vertex);                 ///< the edges that end in it
 Point centroid(const std::vector<Point>&, Numbers&);  ///< the mean of the points; not of none
+
+using Property = symbolic::Mesh::Property;
+/// That the mesh has the property, stated of what it was truncated from.
+symbolic::Proposition has(const Mesh&, Property, std::vector<int> values = {},
+                          std::string about = {});
+
+/// Vertices, edges, faces.
+std::vector<int> counts(const Mesh&);
+/// The number of corners of faces; of edges at vertices: each, and how often, by rising number.
+std::vector<int> face_sizes(const Mesh&);
+std::vector<int> valences(const Mesh&);
 
 /// Vertices at the centroids of the faces, in their order; a face for each vertex whose faces
 /// close up round it, in the order of the vertices.

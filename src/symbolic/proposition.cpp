@@ -42,9 +42,7 @@ Proposition negation(Proposition part, std::string about) {
   return {Proposition::Kind::negation, std::move(about), {std::move(part)}, {}};
 }
 
-Proposition atom(
-    std::variant<Zero, Sign, Solutions, OnlySolutions, OneSolution, Gluing, Distinct> statement,
-    std::string about) {
+Proposition atom(Atom statement, std::string about) {
   return {Proposition::Kind::atom, std::move(about), {}, std::move(statement)};
 }
 

@@ -77,6 +77,18 @@ struct OneSolution {
 struct Distinct {
   std::vector<Point> tuples;
 };
+struct Mesh {
+  using Property = certificate::Mesh::Property;
+  int vertices = 0;
+  std::vector<Point> points;  ///< none where the property is one of faces and edges alone
+  std::vector<std::vector<int>> faces;
+  std::vector<Formula> ratios;
+  Property property = Property::counts;
+  std::vector<int> values;
+};
+
+using Atom =
+    std::variant<Zero, Sign, Solutions, OnlySolutions, OneSolution, Gluing, Distinct, Mesh>;
 
 /// A combination of such statements, with a few words on what each part is about (for the
 /// report: "equal tangent planes along the seam").
@@ -85,15 +97,13 @@ struct Proposition {
   Kind kind = Kind::all;
   std::string about;
   std::vector<Proposition> parts;
-  std::variant<Zero, Sign, Solutions, OnlySolutions, OneSolution, Gluing, Distinct> atom;
+  Atom atom;
 };
 
 Proposition all(std::vector<Proposition> parts, std::string about = {});
 Proposition any(std::vector<Proposition> parts, std::string about = {});
 Proposition negation(Proposition part, std::string about = {});
-Proposition atom(
-    std::variant<Zero, Sign, Solutions, OnlySolutions, OneSolution, Gluing, Distinct> statement,
-    std::string about = {});
+Proposition atom(Atom statement, std::string about = {});
 
 Proposition truth();      ///< all of nothing
 Proposition falsehood();  ///< any of nothing

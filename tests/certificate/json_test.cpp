@@ -56,7 +56,13 @@ Certificate example() {
       Zero{0},
       Sign{1, Relation::zero, {}},
       OnlySolutions{{2}, {"v"}, {"w"}, {{segment}, {{5, Relation::positive}}}, {{{3}, {0}}}},
-      OneSolution{{2}, {"u"}, {"w"}, {{segment}, {{5, Relation::positive}}}, {"0"}, {"1/2"}}};
+      OneSolution{{2}, {"u"}, {"w"}, {{segment}, {{5, Relation::positive}}}, {"0"}, {"1/2"}},
+      Mesh{3,
+           {{0, 1, 2}, {0, 0, 1}, {1, 1, 1}},
+           {{0, 1, 2}, {2, 1, 0}},
+           {0},
+           Mesh::Property::planar,
+           {1}}};
   s.guards = {0, 3};
   s.goal = {Goal::Kind::all,
             {{Goal::Kind::obligation, {}, 0},
@@ -92,7 +98,8 @@ Certificate example() {
                                  {pieces, square},
                                  {pieces},
                                  {square},
-                                 {pieces, pieces}}};
+                                 {pieces, pieces}},
+                       Computation{}};
   return c;
 }
 

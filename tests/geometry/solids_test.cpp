@@ -31,9 +31,11 @@ TEST_P(SolidTest, has_the_right_counts) {
   EXPECT_EQ(mesh.vertices.size(), GetParam().vertices);
   EXPECT_EQ(edges(mesh).size(), GetParam().edges);
   EXPECT_EQ(faces(mesh).size(), GetParam().faces);
-  for (const Point& vertex : mesh.vertices)
-    EXPECT_EQ(valence(mesh, vertex, numbers), GetParam().valence);
-  EXPECT_EQ(valence(mesh, {0, 0, 0}, numbers), 0);
+  for (int vertex = 0; vertex < GetParam().vertices; ++vertex) {
+    EXPECT_EQ(valence(mesh, vertex), GetParam().valence);
+    EXPECT_EQ(find_vertex(mesh, mesh.vertices[vertex], numbers), vertex);
+  }
+  EXPECT_EQ(find_vertex(mesh, {0, 0, 0}, numbers), std::nullopt);
 }
 
 TEST_P(SolidTest, has_flat_faces_counterclockwise_from_outside_with_all_vertices_below) {

@@ -100,6 +100,10 @@ bool decide(const symbolic::Solutions&, const Numbers&) {
   return false;
 }
 
+bool decide(const symbolic::Mesh&, const Numbers&) {
+  throw std::logic_error("truth: no meshes here");
+}
+
 bool decide(const symbolic::Distinct& distinct, const Numbers& numbers) {
   for (std::size_t i = 0; i < distinct.tuples.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <utility>
+
+#include "claims/builtin.h"
+#include "geometry/truncation.h"
+
+// What is counted on a mesh is a number; that it was counted right is stated beside.
+
+namespace seam::claims {
+namespace {
+
+using geometry::Mesh;
+using geometry::Property;
+using symbolic::Point;
+
+constexpr long most_sides = 1'000'000;
+
+Mesh mesh(const Call& call) {
+  Mesh result = call.get<Mesh>(0, "a mesh");
+  require_faces(result, call[0]);
+  return result;
+}
+
+Value mesh_of(const Call& call) {
+  Mesh result;
+  result.vertices = as_points(call.evaluator, call.value(0), call[0]);
+  for (const Value& face : as_items(call.evaluator, call.value(1), call[1])) {
+    auto& corners = result.faces.emplace_back();
+    const std::string what = "face " + std::to_string(result.faces.size());
+    for (const Value& index : as_items(call.evaluator, face, call[1])) {
+      const long k = as_integer(call.evaluator, index, call[1]);
+      if (k < 1 || k > std::ssize(result.vertices))
+        fail(call[1], what + ": there is no vertex " + std::to_string(k),
+             "vertices count from 1 to " + std::to_string(result.vertices.size()));
+      if (std::ranges::find(corners, k - 1) != corners.end())
+        fail(call[1], what + " comes twice to vertex " + std::to_string(k));
+      corners.push_back(static_cast<int>(k - 1));
+    }
+  }
+  return {solid(std::move(result), call[0])};
+}
+
+Formula ratio_of(const Call& call) {
+  if (call.count() == 1) return Formula(exact::Rational(1, 4));
+  const Formula ratio = call.number(1);
+  const Numbers& numbers = call.evaluator.numbers;
+  if (numbers.sign(ratio) != exact::Sign::positive ||
+      numbers.sign(Formula(exact::Rational(1, 2)) - ratio) != exact::Sign::positive)
+    fail(call[1], "a truncation cuts edges at a ratio between 0 and 1/2");
+  return ratio;
+}
+
+Value truncate(const Call& call) {
+  Mesh result = mesh(call);
+  const Formula ratio = ratio_of(call);
+  const long times = call.count() == 3 ? call.integer(2) : 1;
+  if (times < 0) fail(call[2], "expected how often, from 0 on");
+  if (const std::string fault = geometry::not_oriented_manifold(result); !fault.empty())
+    fail(call[0], "this mesh cannot be truncated: " + fault,
+         "that takes a closed mesh whose faces are turned alike");
+  for (long k = 0; k < times; ++k) {
+    std::size_t sides = 0;
+    for (const auto& face : result.faces) sides += face.size();
+    if (std::cmp_greater(3 * sides, most_sides))
+      fail(call.at, "this mesh would have more than half a million edges");
+    result = geometry::truncate(result, ratio);
+  }
+  return {std::move(result)};
+}
+
+void state(const Call& call, const Mesh& m, Property property, std::vector<int> values) {
+  call.evaluator.sides.push_back(
+      geometry::has(m, property, std::move(values), "counted on the mesh"));
+}
+
+std::vector<int> counted(const Call& call) {
+  const Mesh m = mesh(call);
+  std::vector<int> values = geometry::counts(m);
+  state(call, m, Property::counts, values);
+  return values;
+}
+
+// V, E, F.
+Value counts(const Call& call) {
+  const auto values = counted(call);
+  return {Vector(values.begin(), values.end())};
+}
+
+Value euler(const Call& call) {
+  const auto values = counted(call);
+  return {Scalar(values[0] - values[1] + values[2])};
+}
+
+Value pairs(const std::vector<int>& values) {
+  List list;
+  for (std::size_t i = 0; i < values.size(); i += 2)
+    list.items.push_back({Vector{Scalar(values[i]), Scalar(values[i + 1])}});
+  return {list};
+}
+
+Value face_sizes(const Call& call) {
+  const Mesh m = mesh(call);
+  const auto values = geometry::face_sizes(m);
+  state(call, m, Property::face_sizes, values);
+  return pairs(values);
+}
+
+Value valences(const Call& call) {
+  const Mesh m = mesh(call);
+  const auto values = geometry::valences(m);
+  state(call, m, Property::valences, values);
+  return pairs(values);
+}
+
+// The edges that end in a point; of a point that is no vertex, none.
+Value valence(const Call& call) {
+  const Mesh m = mesh(call);
+  const Point point = as_point(call.evaluator, call.value(1), call[1]);
+  require_in_space(point, call[1], "a vertex");
+  const auto vertex = geometry::find_vertex(m, point, call.evaluator.numbers);
+  if (!vertex) fail(call[1], "this is no vertex of the mesh");
+  const int edges = geometry::valence(m, *vertex);
+  state(call, m, Property::valence, {*vertex, edges});
+  return {Scalar(edges)};
+}
+
+}  // namespace
+
+void require_faces(const Mesh& mesh, const Expression& at) {
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+    if (mesh.faces[f].size() < 3)
+      fail(at,
+           "face " + std::to_string(f + 1) + " has " + std::to_string(mesh.faces[f].size()) +
+               " corners",
+           "a face has three corners at least");
+}
+
+const Builtins& mesh_builtins() {
+  static const Builtins table = {
+      {"mesh", {2, 2, mesh_of}},     {"truncate", {1, 3, truncate}},
+      {"counts", {1, 1, counts}},    {"euler", {1, 1, euler}},
+      {"valence", {2, 2, valence}},  {"face_sizes", {1, 1, face_sizes}},
+      {"valences", {1, 1, valences}}};
+  return table;
+}
+
+}  // namespace seam::claims
