@@ -286,8 +286,8 @@ void check_goal(const Goal& goal, std::size_t obligations, int depth) {
     return;
   }
   demand(goal.obligation == -1, "an obligation out of place");
-  demand(goal.kind != Goal::Kind::negation || goal.parts.size() == 1,
-         "a negation takes one part");
+  const bool single = goal.kind == Goal::Kind::negation || goal.kind == Goal::Kind::suffices;
+  demand(!single || goal.parts.size() == 1, "this goal takes one part");
   for (const Goal& part : goal.parts) check_goal(part, obligations, depth + 1);
 }
 

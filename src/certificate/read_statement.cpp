@@ -139,6 +139,7 @@ Goal read_goal(const Reader& in) {
   const std::string kind = in.only_member();
   if (kind == "all") return {Goal::Kind::all, in["all"].list(read_goal), -1};
   if (kind == "any") return {Goal::Kind::any, in["any"].list(read_goal), -1};
+  if (kind == "suffices") return {Goal::Kind::suffices, {read_goal(in["suffices"])}, -1};
   return {Goal::Kind::negation, {read_goal(in["not"])}, -1};
 }
 

@@ -224,11 +224,12 @@ struct Mesh {
 using Obligation =
     std::variant<Zero, Sign, Solutions, OnlySolutions, OneSolution, Gluing, Distinct, Mesh>;
 
-/// A combination of obligations. `all` of nothing holds; `any` of nothing fails.
+/// A combination of obligations. `all` of nothing holds; `any` of nothing fails. What
+/// `suffices` holds where its part does, and is open where that fails.
 struct Goal {
-  enum class Kind { all, any, negation, obligation };
+  enum class Kind { all, any, negation, suffices, obligation };
   Kind kind = Kind::all;
-  std::vector<Goal> parts;  ///< all, any: any number; negation: one
+  std::vector<Goal> parts;  ///< all, any: any number; negation, suffices: one
   int obligation = -1;      ///< index in `Statement::obligations`
 
   bool operator==(const Goal&) const = default;

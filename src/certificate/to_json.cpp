@@ -162,6 +162,8 @@ Json to_json(const Goal& goal) {
       return {{"any", list(goal.parts)}};
     case Goal::Kind::negation:
       return {{"not", to_json(goal.parts.at(0))}};
+    case Goal::Kind::suffices:
+      return {{"suffices", to_json(goal.parts.at(0))}};
     case Goal::Kind::obligation:
       return goal.obligation;
   }

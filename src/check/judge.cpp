@@ -76,6 +76,8 @@ Kind value(const Goal& goal, const std::vector<Finding>& findings) {
     if (inner == Kind::open) return Kind::open;
     return inner == Kind::holds ? Kind::fails : Kind::holds;
   }
+  if (goal.kind == Goal::Kind::suffices)
+    return value(goal.parts.front(), findings) == Kind::holds ? Kind::holds : Kind::open;
   const Kind deciding = goal.kind == Goal::Kind::all ? Kind::fails : Kind::holds;
   Kind result = goal.kind == Goal::Kind::all ? Kind::holds : Kind::fails;
   for (const Goal& part : goal.parts) {
@@ -92,7 +94,7 @@ std::string open_reason(const Goal& goal, const std::vector<Finding>& findings) 
     return findings[static_cast<std::size_t>(goal.obligation)].reason;
   for (const Goal& part : goal.parts)
     if (value(part, findings) == Kind::open) return open_reason(part, findings);
-  return {};
+  return "what would suffice fails, which refutes nothing";
 }
 
 }  // namespace

@@ -185,6 +185,9 @@ std::optional<Value> quotient_of(Evaluator& evaluator, const Expression& at, con
 
 std::optional<Value> power_of(Evaluator& evaluator, const Expression& at, const Value& a,
                               const Value& b) {
+  if (a.as<Scalar>() && b.as<Scalar>() && !is_number(*b.as<Scalar>()))
+    if (auto raised = integer_power(evaluator, *a.as<Scalar>(), *b.as<Scalar>()))
+      return Value{*raised};
   const auto exponent = evaluator.numbers.rational(as_number(evaluator, b, at));
   if (!exponent) fail(at, "an exponent must be rational");
   if (exponent->get_den() == 2 && a.as<Scalar>()) {

@@ -70,6 +70,8 @@ const Parameter* chosen_parameter(const Call& call) {
 
 Value over_parameter(const Call& call) {
   const Parameter* parameter = chosen_parameter(call);
+  if (parameter && !parameter->where.empty())
+    throw Unsupported("'minimax' of a parameter with a condition");
   Scope inner{&call.scope, {}};
   const std::string name = call[1].text;
   for (const Scope* s = &call.scope; s; s = s->outer)

@@ -102,6 +102,7 @@ Value folded(const Call& call, const char* operation, long start) {
 }
 
 Value sum(const Call& call) {
+  if (auto known = sum_to_parameter(call.evaluator, call[0], call.scope)) return *known;
   return folded(call, "+", 0);
 }
 Value product(const Call& call) {

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "claims/stating.h"
+#include "claims/parameters.h"
 #include "symbolic/approximate.h"
 #include "symbolic/atoms.h"
 #include "symbolic/denominator.h"
@@ -67,29 +67,23 @@ Stating::Range Stating::range(const std::set<std::string>& variables, const Cont
   std::set<std::string> open = variables;
   for (const Constraint& constraint : context.where)
     open.merge(symbolic::variables(constraint.formula));
+  Context all = context;
+  join_parameters(evaluator, open, all);
   Range result;
   auto& [domain, lines] = result;
-  domain.where = context.where;
+  domain.where = all.where;
   std::set<std::string> bound;
-  const auto use_factor = [&](const Simplex& factor) {
+  for (const Simplex& factor : all.factors) {
     for (const std::string& v : factor.variables)
       if (bound.contains(v) && variables.contains(v))
         throw Unsupported("a variable that is bound twice");
-    if (!touches(factor, open)) return;
+    if (!touches(factor, open)) continue;
     bound.insert(factor.variables.begin(), factor.variables.end());
     domain.factors.push_back(factor);
     for (const std::string& v : factor.variables) open.erase(v);
-  };
-  for (const Simplex& factor : context.factors) use_factor(factor);
-  for (const std::string& line : context.lines)
-    if (open.erase(line)) lines.push_back(line);
-  for (const Parameter& parameter : evaluator.parameters) {
-    if (bound.contains(parameter.name)) continue;  // the context has it
-    if (parameter.set)
-      use_factor(*parameter.set);
-    else if (open.erase(parameter.name))
-      lines.push_back(parameter.name);
   }
+  for (const std::string& line : all.lines)
+    if (open.erase(line)) lines.push_back(line);
   if (!open.empty())
     fail(at, "the variable '" + *open.begin() + "' is not bound here",
          "say 'for all " + *open.begin() + ":' or where it ranges");

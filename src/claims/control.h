@@ -36,6 +36,10 @@ constexpr const char* what() {
     return "'gives' and the solutions";
   else if constexpr (is_a<Rule, of_word>)
     return "'of' and a polynomial";
+  else if constexpr (is_a<Rule, then_word>)
+    return "'then' and the next value";
+  else if constexpr (is_a<Rule, open_paren>)
+    return "'('";
   else if constexpr (is_a<Rule, by_word>)
     return "'by'";
   else if constexpr (is_a<Rule, rounds_sign>)

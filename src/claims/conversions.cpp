@@ -68,6 +68,8 @@ Formula as_number(Evaluator& evaluator, const Value& value, const Expression& at
   const Formula formula = as_formula(evaluator, value, at);
   if (!symbolic::is_number(formula)) {
     const std::string variable = *symbolic::variables(formula).begin();
+    if (evaluator.integers.general.contains(variable))
+      throw Unsupported("a number is wanted where an integer parameter stands");
     fail(at, "expected a number, found a function of '" + variable + "'");
   }
   return formula;

@@ -157,6 +157,7 @@ Value Evaluator::name(const Expression& e, const Scope& scope) {
     const Definition& definition = found->second;
     if (definition.broken) throw Broken();
     if (!definition.unsupported.empty()) throw Unsupported(definition.unsupported);
+    if (definition.holds_integers) return with_integers(e.text, *definition.item);
     sides.insert(sides.end(), definition.sides.begin(), definition.sides.end());
     if (definition.value) return *definition.value;
     return {Function{definition.item}};
@@ -164,6 +165,22 @@ Value Evaluator::name(const Expression& e, const Scope& scope) {
   if (auto word = builtin_word(*this, e.text)) return *word;
   const std::string near = text::nearest(e.text, names(scope));
   fail(e, "unknown name '" + e.text + "'", near.empty() ? "" : "did you mean '" + near + "'?");
+}
+
+// A value that rests on integer parameters is worked out once for each of their values.
+Value Evaluator::with_integers(const std::string& name, const Item& item) {
+  if (item.kind == Item::Kind::param) return {integer_value(*this, name)};
+  auto found = integers.lets.find(name);
+  if (found == integers.lets.end()) {
+    std::vector<symbolic::Proposition> around = std::move(sides);
+    sides.clear();
+    Value value = evaluate(item.expressions[0], Scope{});
+    found =
+        integers.lets.emplace(name, Integers::Kept{std::move(value), std::move(sides)}).first;
+    sides = std::move(around);
+  }
+  sides.insert(sides.end(), found->second.sides.begin(), found->second.sides.end());
+  return found->second.value;
 }
 
 std::vector<std::string> Evaluator::names(const Scope& scope) const {
@@ -216,6 +233,8 @@ Value Evaluator::apply(const Value& callee, const Expression& e, const Scope& sc
     return vector_or_scalar(at_parameters(*this, field->components, coordinates(1)));
   if (const auto* function = callee.as<Function>()) {
     const Item& item = *function->item;
+    if (item.kind == Item::Kind::sequence)
+      return sequence_value(*this, item, as_scalar(*this, arguments(1)[0], e.children[1]), e);
     if (item.kind == Item::Kind::define)
       fail(e, "'" + item.name + "' is a statement, no value");
     const std::vector<Value> values = arguments(item.parameters.size());

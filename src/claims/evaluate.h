@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "claims/integers.h"
 #include "claims/value.h"
 #include "symbolic/proposition.h"
 
@@ -31,6 +32,13 @@ struct Unsupported : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// An integer parameter that has no value where one is wanted.
+struct IntegerMet : Unsupported {
+  explicit IntegerMet(std::string met)
+      : Unsupported("an integer parameter outside a claim"), parameter(std::move(met)) {}
+  std::string parameter;
+};
+
 /// What a name stands for between two braces of the text: values bound by quantifiers,
 /// functions and lists.
 struct Scope {
@@ -45,13 +53,15 @@ struct Definition {
   std::optional<Value> value;  ///< none: a function, or broken
   std::vector<symbolic::Proposition> sides;
   bool broken = false;
-  std::string unsupported;  ///< why no claim about it can be decided; empty: nothing
+  std::string unsupported;      ///< why no claim about it can be decided; empty: nothing
+  bool holds_integers = false;  ///< its value is another one for each of an integer parameter
 };
 
-/// One parameter of the file: a symbol with its set.
+/// One parameter of the file: a symbol with its set, and the conditions that hold it.
 struct Parameter {
   std::string name;
   std::optional<symbolic::Simplex> set;  ///< none: every real number
+  std::vector<symbolic::Constraint> where;
 };
 
 /// Turns expressions into values. Everything is exact; nothing is decided except about numbers
@@ -73,6 +83,9 @@ class Evaluator {
   /// in use around it.
   std::string bind(const std::string& name);
   void release(const std::string& symbol) { active_.erase(symbol); }
+  /// The symbols that are bound, and a way back to those that were.
+  const std::set<std::string>& bound_symbols() const { return active_; }
+  void bind_only(std::set<std::string> symbols) { active_ = std::move(symbols); }
 
   /// The value of a number that is wanted itself, where `value` is an extremum: found, and
   /// stated in `sides`.
@@ -95,6 +108,8 @@ class Evaluator {
   Numbers& numbers;
   std::map<std::string, Definition> globals;
   std::vector<Parameter> parameters;
+  Integers integers;
+  std::map<std::string, std::size_t> sums;      ///< up to integer parameters, numbered
   std::vector<symbolic::Proposition> sides;     ///< of what is being evaluated
   std::vector<symbolic::Proposition> standing;  ///< of the values around the statement
   std::string folder;                           ///< for `read`: the folder of the file
@@ -105,6 +120,7 @@ class Evaluator {
   Value apply(const Value& callee, const Expression& at, const Scope&);
   Value index(const Expression&, const Scope&);
   Value list(const Expression&, const Scope&);
+  Value with_integers(const std::string& name, const Item&);
   Value net(const Expression&, const Scope&);
 
   std::set<std::string> active_;
@@ -118,6 +134,15 @@ const Expression* condition_of(const Expression& binding);
 
 /// The values of `E for i in R, ...`, in order.
 std::vector<Value> comprehension(Evaluator&, const Expression& each, const Scope&);
+
+/// The value of a sequence at an index: worked out from its start on, or, where the index is an
+/// integer parameter, a symbol for each entry.
+Value sequence_value(Evaluator&, const Item& sequence, const Scalar& index,
+                     const Expression& at);
+
+/// The sum of `E for i in low..high` where `high` is an integer parameter, perhaps shifted;
+/// nothing if it is none.
+std::optional<Value> sum_to_parameter(Evaluator&, const Expression& each, const Scope&);
 
 /// + - * / ^ on values of all kinds. Throws `Problem` where they do not fit.
 Value arithmetic(Evaluator&, const Expression& at, const std::string& operation, const Value&,

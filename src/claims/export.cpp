@@ -208,16 +208,20 @@ class Exporter {
       case Proposition::Kind::negation:
         result.kind = Goal::Kind::negation;
         break;
+      case Proposition::Kind::suffices:
+        result.kind = Goal::Kind::suffices;
+        break;
     }
+    const bool joins = result.kind == Goal::Kind::all || result.kind == Goal::Kind::any;
     for (const Proposition& part : p.parts) {
       Goal next = goal(part, about);
       // "All of" within "all of" says no more than one long "all of".
-      if (next.kind == result.kind && result.kind != Goal::Kind::negation)
+      if (next.kind == result.kind && joins)
         result.parts.insert(result.parts.end(), next.parts.begin(), next.parts.end());
       else
         result.parts.push_back(std::move(next));
     }
-    if (result.parts.size() == 1 && result.kind != Goal::Kind::negation) {
+    if (result.parts.size() == 1 && joins) {
       Goal only = std::move(result.parts.front());
       return only;
     }

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "claims/stating.h"
+#include "claims/parameters.h"
 #include "claims/triangulation.h"
 #include "symbolic/coefficients.h"
 
@@ -43,17 +43,8 @@ Context with_parameters(const Evaluator& evaluator, const Extremum& extremum,
   std::set<std::string> open = symbolic::variables((bound.numerator * bound.denominator));
   for (const Extremum::Part& part : extremum.parts)
     open.merge(symbolic::variables(part.value.numerator * part.value.denominator));
-  for (const symbolic::Simplex& factor : context.factors)
-    for (const std::string& variable : factor.variables) open.erase(variable);
-  for (const std::string& line : context.lines) open.erase(line);
   Context result = context;
-  for (const Parameter& parameter : evaluator.parameters) {
-    if (!open.contains(parameter.name)) continue;
-    if (parameter.set)
-      result.factors.push_back(*parameter.set);
-    else
-      result.lines.push_back(parameter.name);
-  }
+  join_parameters(evaluator, open, result);
   return result;
 }
 

@@ -56,6 +56,12 @@ std::string param(const Item& item) {
   return item.where ? with(text + " where ", *item.where, Level::statement) : text;
 }
 
+std::string sequence(const Item& item) {
+  const std::string text = with("sequence " + item.name + parameters(item) + " = ",
+                                item.expressions[0], Level::range);
+  return with(text + " then ", item.expressions[1], Level::range);
+}
+
 std::string root(const Item& item) {
   const std::string text =
       with("root " + item.name + " of ", item.expressions[0], Level::range);
@@ -135,6 +141,8 @@ std::string body(const Item& item) {
     case Item::Kind::let:
       return with("let " + item.name + parameters(item) + " = ", item.expressions[0],
                   Level::range);
+    case Item::Kind::sequence:
+      return sequence(item);
     case Item::Kind::param:
       return param(item);
     case Item::Kind::root:
@@ -164,8 +172,9 @@ std::string comments(const Strings& lines) {
 }
 
 bool definition(const Item& item) {
-  return item.kind == Item::Kind::let || item.kind == Item::Kind::param ||
-         item.kind == Item::Kind::root || item.kind == Item::Kind::include;
+  return item.kind == Item::Kind::let || item.kind == Item::Kind::sequence ||
+         item.kind == Item::Kind::param || item.kind == Item::Kind::root ||
+         item.kind == Item::Kind::include;
 }
 
 }  // namespace

@@ -18,6 +18,8 @@ struct action<section_word> : begins<Item::Kind::section> {};
 template <>
 struct action<let_word> : begins<Item::Kind::let> {};
 template <>
+struct action<sequence_word> : begins<Item::Kind::sequence> {};
+template <>
 struct action<param_word> : begins<Item::Kind::param> {};
 template <>
 struct action<root_word> : begins<Item::Kind::root> {};

@@ -12,6 +12,9 @@
 
 namespace seam::claims {
 
+/// Whether the language has this name already.
+bool is_taken(const std::string& name);
+
 /// Reads the items of a file, one after the other, into a meaning.
 class Reader {
  public:
@@ -32,7 +35,10 @@ class Reader {
   void read(const Item& item);
   void include(const Item& item);
   void define(const Item& item);
+  void begin(Definition& sequence);
   void define_param(const Item& item);
+  Definition parameter(const Item& item, const std::string& name);
+  void set_condition(const Item& item);
   Value root(const Item& item);
   void claim(const Item& item);
   void table(const Item& item);

@@ -41,6 +41,14 @@ struct define
     : peg::if_must<define_word, item_name, peg::opt<parameters>, header_colon, item_statement> {
 };
 
+// ---- sequence
+
+struct sequence_start : operand {};
+struct sequence_then : then_word {};
+struct sequence_step : operand {};
+struct sequence : peg::if_must<sequence_word, item_name, open_paren, parameter, close_paren,
+                               defines, sequence_start, sequence_then, sequence_step> {};
+
 // ---- param, root
 
 struct param_name : name {};
@@ -108,12 +116,12 @@ struct ask : peg::if_must<ask_word, claim_id, header_colon, item_statement, peg:
 // ---- a file is a gap and items; each item is read by itself, so that one may fail alone
 
 struct item_word
-    : peg::sor<paper_word, section_word, let_word, param_word, root_word, include_word,
-               define_word, claim_word, table_word, figure_word, ask_word> {};
+    : peg::sor<paper_word, section_word, let_word, sequence_word, param_word, root_word,
+               include_word, define_word, claim_word, table_word, figure_word, ask_word> {};
 struct at_line_begin : holds<&Builder::at_line_begin> {};
 struct item_end : peg::sor<peg::eof, peg::seq<at_line_begin, peg::at<item_word>>> {};
-struct item : peg::sor<paper, section, let, param, root_item, include, define, claim, table,
-                       figure, ask> {};
+struct item : peg::sor<paper, section, let, sequence, param, root_item, include, define, claim,
+                       table, figure, ask> {};
 struct whole_item : peg::seq<peg::must<item>, peg::must<item_end>> {};
 
 struct expression_end : peg::eof {};

@@ -34,6 +34,13 @@ std::string param(const Item& item) {
   return item.where ? tex + "\\text{ where }" + latex(*item.where) : tex;
 }
 
+// s(0) = START, s(k + 1) = STEP
+std::string sequence(const Item& item) {
+  const std::string name = latex_name(item.name, true);
+  return name + "(0) = " + latex(item.expressions[0]) + ",\\quad " + name + "(" +
+         names(item.parameters) + " + 1) = " + latex(item.expressions[1]);
+}
+
 }  // namespace
 
 std::string latex(const Item& item) {
@@ -42,6 +49,8 @@ std::string latex(const Item& item) {
       return head(item) + " = " + latex(item.expressions[0]);
     case Item::Kind::define:
       return head(item) + " :\\iff " + latex(item.expressions[0]);
+    case Item::Kind::sequence:
+      return sequence(item);
     case Item::Kind::param:
       return param(item);
     case Item::Kind::root:

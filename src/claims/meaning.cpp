@@ -9,17 +9,6 @@
 #include "claims/stating.h"
 
 namespace seam::claims {
-namespace {
-
-// Whether the language has this name already.
-bool is_taken(const std::string& name) {
-  std::vector<std::string> taken = builtin_names();
-  for (std::string& predicate : predicate_names()) taken.push_back(std::move(predicate));
-  return std::ranges::find(taken, name) != taken.end();
-}
-
-}  // namespace
-
 void Reader::read(const Item& item) {
   switch (item.kind) {
     case Item::Kind::paper:
@@ -35,6 +24,7 @@ void Reader::read(const Item& item) {
       include(item);
       return;
     case Item::Kind::let:
+    case Item::Kind::sequence:
     case Item::Kind::define:
     case Item::Kind::root:
       define(item);
@@ -92,7 +82,9 @@ void Reader::define(const Item& item) {
   }
   Definition definition{&item, {}, {}, false, {}};
   const bool is_function = item.kind == Item::Kind::define || !item.parameters.empty();
-  if (!is_function) {
+  if (item.kind == Item::Kind::sequence) {
+    begin(definition);
+  } else if (!is_function) {
     evaluator_.sides.clear();
     try {
       definition.value = item.kind == Item::Kind::root
@@ -102,6 +94,8 @@ void Reader::define(const Item& item) {
     } catch (const Problem& problem) {
       report(problem.diagnostic);
       definition.broken = true;
+    } catch (const IntegerMet&) {
+      definition.holds_integers = true;
     } catch (const Unsupported& unsupported) {
       definition.unsupported = unsupported.what();
     } catch (const symbolic::NumberLimit& limit) {
@@ -111,6 +105,24 @@ void Reader::define(const Item& item) {
     }
   }
   evaluator_.globals.insert_or_assign(item.name, std::move(definition));
+}
+
+// The first two values of a sequence show whether it can be worked out.
+void Reader::begin(Definition& definition) {
+  const Item& item = *definition.item;
+  evaluator_.globals.insert_or_assign(item.name, definition);
+  try {
+    sequence_value(evaluator_, item, Scalar(1), item.expressions[1]);
+  } catch (const Problem& problem) {
+    report(problem.diagnostic);
+    definition.broken = true;
+  } catch (const IntegerMet&) {
+    definition.unsupported = "a sequence whose start or step holds an integer parameter";
+  } catch (const Unsupported& unsupported) {
+    definition.unsupported = unsupported.what();
+  } catch (const Broken&) {
+    definition.broken = true;
+  }
 }
 
 Value Reader::root(const Item& item) {
@@ -139,58 +151,6 @@ Value Reader::root(const Item& item) {
     return {Scalar(meaning_.numbers->root(polynomial, symbol, *low, *high))};
   } catch (const symbolic::NumberError& error) {
     fail(item.expressions[0], error.what());
-  }
-}
-
-void Reader::define_param(const Item& item) {
-  meaning_.items.push_back(MeantDefinition{item});
-  for (const std::string& name : item.names) {
-    if (evaluator_.globals.contains(name) || is_taken(name)) {
-      report({item.span, "'" + name + "' is defined already", "choose another name"});
-      continue;
-    }
-    Definition definition{&item, {}, {}, false, {}};
-    if (item.type == "integer") {
-      definition.unsupported = "claims for integer parameters are not covered yet";
-    } else if (item.where) {
-      definition.unsupported = "parameters with a condition are not covered yet";
-    } else if (item.type.starts_with("vector")) {
-      Vector vector;
-      const exact::Integer size(item.type.substr(item.type.find_first_of("0123456789")));
-      if (size < 1 || size > 100) {
-        report({item.span, "expected a vector of 1 to 100 entries", {}});
-        evaluator_.globals[name].broken = true;
-        continue;
-      }
-      const long n = size.get_si();
-      for (long i = 1; i <= n; ++i) {
-        const std::string symbol = evaluator_.bind(name + "[" + std::to_string(i) + "]");
-        evaluator_.parameters.push_back({symbol, std::nullopt});
-        vector.push_back(Scalar(Formula::symbol(symbol)));
-      }
-      definition.value = Value{vector};
-    } else {
-      const std::string symbol = evaluator_.bind(name);
-      Parameter parameter{symbol, std::nullopt};
-      evaluator_.sides.clear();
-      try {
-        if (!item.expressions.empty())
-          parameter.set = evaluator_.continuous_set(item.expressions[0], {symbol}, Scope{});
-        evaluator_.parameters.push_back(parameter);
-        definition.value = Value{Scalar(Formula::symbol(symbol))};
-        definition.sides = evaluator_.sides;
-      } catch (const Problem& problem) {
-        report(problem.diagnostic);
-        definition.broken = true;
-      } catch (const Unsupported& unsupported) {
-        definition.unsupported = unsupported.what();
-      } catch (const symbolic::NumberLimit& limit) {
-        definition.unsupported = limit.what();
-      } catch (const Broken&) {
-        definition.broken = true;
-      }
-    }
-    evaluator_.globals.insert_or_assign(name, std::move(definition));
   }
 }
 

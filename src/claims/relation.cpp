@@ -202,6 +202,12 @@ std::optional<std::vector<Constraint>> Stating::constraints(const Expression& e,
     if (ops[i] == "~") return std::nullopt;
     const Value a = evaluator.evaluate(e.children[i], scope),
                 b = evaluator.evaluate(e.children[i + 1], scope);
+    const auto *left = a.as<Vector>(), *right = b.as<Vector>();
+    if (left && right && left->size() == right->size() && ops[i] == "=" && positive) {
+      for (std::size_t k = 0; k < left->size(); ++k)
+        result.push_back(compared((*left)[k], "=", (*right)[k], context, e));
+      continue;
+    }
     const auto *x = a.as<Scalar>(), *y = b.as<Scalar>();
     if (!x || !y) return std::nullopt;
     result.push_back(

@@ -3,7 +3,8 @@
 
 #include <algorithm>
 
-#include "claims/stating.h"
+#include "claims/induction.h"
+#include "claims/parameters.h"
 
 // Outside every quantifier a statement is true or false, and `or`, `not`, `implies` are what
 // they are for propositions. Under "for all" they are moved inwards to the relations:
@@ -116,19 +117,14 @@ static Context parameters_in(const Evaluator& evaluator, const Stating& stating,
   for (const Proposition& guard : stating.guards) collect(guard, found);
   for (const Proposition& side : evaluator.sides) collect(side, found);
   Context context;
-  for (const Parameter& parameter : evaluator.parameters) {
-    if (!found.contains(parameter.name)) continue;
-    if (parameter.set)
-      context.factors.push_back(*parameter.set);
-    else
-      context.lines.push_back(parameter.name);
-  }
+  join_parameters(evaluator, found, context);
   return context;
 }
 
 // A statement that holds a parameter is one about all its values: "for all" stands around it,
 // unsaid. Whether one does shows when it has been stated once.
-Stated state(Evaluator& evaluator, const Expression& statement, const Scope& scope) {
+Stated stated_under(Evaluator& evaluator, const Expression& statement, const Scope& scope,
+                    const std::vector<symbolic::Constraint>& known) {
   Context context;
   for (;;) {
     Stating stating(evaluator);
@@ -137,6 +133,7 @@ Stated state(Evaluator& evaluator, const Expression& statement, const Scope& sco
     result.goal = stating.state(statement, scope, context);
     if (context.empty()) {
       context = parameters_in(evaluator, stating, result.goal);
+      context.where.insert(context.where.end(), known.begin(), known.end());
       if (!context.empty()) continue;
     }
     std::vector<Proposition> sides;
@@ -148,6 +145,25 @@ Stated state(Evaluator& evaluator, const Expression& statement, const Scope& sco
     evaluator.sides.clear();
     return result;
   }
+}
+
+// That it holds an integer parameter shows when its value is wanted.
+Stated state(Evaluator& evaluator, const Expression& statement, const Scope& scope) {
+  const std::set<std::string> bound = evaluator.bound_symbols();
+  std::string met;
+  try {
+    return stated_under(evaluator, statement, scope, {});
+  } catch (const IntegerMet& integer) {
+    met = integer.parameter;
+  }
+  evaluator.bind_only(bound);
+  try {
+    return for_every_integer(evaluator, statement, scope, met);
+  } catch (const IntegerMet& integer) {
+    met = integer.parameter;  // the condition of the first holds it
+  }
+  evaluator.bind_only(bound);
+  return for_every_integer(evaluator, statement, scope, met);
 }
 
 }  // namespace seam::claims

@@ -87,6 +87,7 @@ struct Item {
     paper,
     section,
     let,
+    sequence,
     param,
     root,
     include,
@@ -100,15 +101,15 @@ struct Item {
   text::Span span;
   text::Span name_span;               ///< of the name or id
   std::vector<std::string> comments;  ///< the comment lines just above, without `# `
-  std::string name;  ///< let, define, root, ask, table: its name or id; paper, section, figure:
-                     ///< the title; include: the path
-  std::vector<std::string> parameters;  ///< let f(x, y), define f(x)
+  std::string name;  ///< let, sequence, define, root, ask, table: its name or id; paper,
+                     ///< section, figure: the title; include: the path
+  std::vector<std::string> parameters;  ///< let f(x, y), define f(x), sequence s(k)
   std::vector<std::string> names;       ///< param a, b, c
   std::string by, source, year;         ///< paper
   std::string type;                     ///< param: ``, `integer`, `vector 3`
   std::vector<Expression>
-      expressions;  ///< let, define, figure, ask: [body]; root: [polynomial, interval]; param:
-                    ///< [set] or [], then condition in `where`
+      expressions;  ///< let, define, figure, ask: [body]; sequence: [start, step]; root:
+                    ///< [polynomial, interval]; param: [set] or [], then condition in `where`
   std::optional<Expression> where;  ///< param
   std::string option;               ///< figure: `gauss` (coloured by); ask: digits
   Claim claim;                      ///< claim; also at/title of a table

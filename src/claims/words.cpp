@@ -27,9 +27,9 @@ std::vector<std::string> all_reserved() {
 }  // namespace
 
 const std::vector<std::string>& item_words() {
-  static const std::vector<std::string> words = {"paper", "section", "let",    "param",
-                                                 "root",  "include", "define", "claim",
-                                                 "table", "figure",  "ask"};
+  static const std::vector<std::string> words = {"paper", "section", "let",     "sequence",
+                                                 "param", "root",    "include", "define",
+                                                 "claim", "table",   "figure",  "ask"};
   return words;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iomanip>
 #include <map>
+#include <set>
 #include <sstream>
 
 #include "certificate/json.h"
@@ -132,6 +133,14 @@ void collect_denied(const certificate::Goal& goal, bool is_denied,
     collect_denied(part, is_denied != negates, result);
 }
 
+// The obligations that stand elsewhere than under what merely suffices: they can refute.
+void collect_deciding(const certificate::Goal& goal, std::set<std::size_t>& result) {
+  if (goal.kind == certificate::Goal::Kind::suffices) return;
+  if (goal.kind == certificate::Goal::Kind::obligation)
+    result.insert(static_cast<std::size_t>(goal.obligation));
+  for (const certificate::Goal& part : goal.parts) collect_deciding(part, result);
+}
+
 // What an isolation refutes by: where a solution is that is not in the box of the statement.
 std::string isolated(const certificate::OneSolution& stated,
                      const certificate::Isolation& found) {
@@ -169,7 +178,9 @@ std::string witness_of(const Statement& statement, const Evidence& evidence,
     return readable(symbolic::text(known ? normal_form(f) : f, most));
   };
   const std::string counted = counted_of(statement, judgement, exported);
-  for (std::size_t i = 0; i < evidence.proofs.size(); ++i) {
+  std::set<std::size_t> deciding;
+  collect_deciding(statement.goal, deciding);
+  for (const std::size_t i : deciding) {
     if (judgement.findings[i].kind != check::Finding::Kind::fails) continue;
     if (const auto* wrong = std::get_if<certificate::WrongSolution>(&evidence.proofs[i])) {
       const std::string value = number_text(formulas(wrong->value), 200);
@@ -195,11 +206,12 @@ std::string witness_of(const Statement& statement, const Evidence& evidence,
              (sign ? negated_sign(sign->relation) : "!= 0") + about;
     }
   }
-  for (const check::Finding& finding : judgement.findings)
-    if (finding.kind == check::Finding::Kind::fails && !finding.reason.empty())
-      return finding.reason;
+  for (const std::size_t i : deciding)
+    if (judgement.findings[i].kind == check::Finding::Kind::fails &&
+        !judgement.findings[i].reason.empty())
+      return judgement.findings[i].reason;
   if (!counted.empty()) return counted;
-  for (std::size_t i = 0; i < judgement.findings.size(); ++i)
+  for (const std::size_t i : deciding)
     if (judgement.findings[i].kind == check::Finding::Kind::fails)
       return "not: " + readable(exported.text[i]) +
              (exported.about[i].empty() ? "" : " (" + exported.about[i] + ")");

@@ -16,6 +16,9 @@ class Derivation {
 
   /// `f relation 0` on the region. Nothing if no proof was found.
   std::optional<certificate::SignProof> show(const exact::Polynomial& f, certificate::Relation);
+  /// The same by multiples of conditions alone, found by linear programming.
+  std::optional<certificate::SignProof> combine(const exact::Polynomial& f,
+                                                certificate::Relation);
   /// A point of the region at which `f relation 0` fails, if one is found.
   std::optional<certificate::Point> refute(const exact::Polynomial& f, certificate::Relation);
 
@@ -51,6 +54,7 @@ class Derivation {
   Shown show_zero(const exact::Polynomial& f, int depth);
   Shown subdivide(const exact::Polynomial& f, Goal, bool is_free, long effort);
   Shown by_equations(const exact::Polynomial& f, Goal, int depth);
+  Shown by_inequalities(const exact::Polynomial& f, Goal);
   Shown by_factor(const exact::Polynomial& f, Goal, int depth);
   Shown by_multiplier(const Linear&, Goal, int depth);
   Shown by_conjugate(const Linear&, Goal, int depth);

@@ -36,6 +36,8 @@ class SignProof {
     const bool has_equation =
         std::ranges::any_of(where_, [](const auto& c) { return c.relation == Relation::zero; });
     const bool is_plain = !has_equation && functions_.empty();
+    if (!where_.empty() && functions_.empty() && is_unbounded())
+      if (auto shown = by_conditions(relation)) return *shown;
     Proof proof = is_plain ? by_subdivision(relation) : by_derivation(relation);
     if (!std::holds_alternative<Nothing>(proof)) return proof;
     if (is_plain && !where_.empty()) proof = by_derivation(relation);
@@ -44,11 +46,24 @@ class SignProof {
   }
 
  private:
+  static Proof of(certificate::SignProof shown) {
+    return std::visit([](auto&& value) { return Proof(std::move(value)); }, std::move(shown));
+  }
+
+  // Where several coordinates go to infinity no splits part them.
+  bool is_unbounded() const {
+    return std::ranges::any_of(factors_, [](const Factor& f) { return f.infinite != 0; });
+  }
+  std::optional<Proof> by_conditions(Relation relation) {
+    Derivation derivation(workshop_, make_region(workshop_, factors_, where_, functions_));
+    auto shown = derivation.combine(f(), relation);
+    return shown ? std::optional(of(std::move(*shown))) : std::nullopt;
+  }
+
   Proof by_derivation(Relation relation) {
-    const auto of = [](auto&& value) { return Proof(std::forward<decltype(value)>(value)); };
     Derivation derivation(workshop_, make_region(workshop_, factors_, where_, functions_));
     if (auto point = derivation.refute(f(), relation)) return certificate::Witness{*point, {}};
-    if (auto shown = derivation.show(f(), relation)) return std::visit(of, std::move(*shown));
+    if (auto shown = derivation.show(f(), relation)) return of(std::move(*shown));
     if (auto point = derivation.refute(f(), relation)) return certificate::Witness{*point, {}};
     if (workshop_.late()) return Nothing{"time", "the time given was over"};
     return Nothing{"effort",

@@ -42,6 +42,10 @@ Proposition negation(Proposition part, std::string about) {
   return {Proposition::Kind::negation, std::move(about), {std::move(part)}, {}};
 }
 
+Proposition suffices(Proposition part, std::string about) {
+  return {Proposition::Kind::suffices, std::move(about), {std::move(part)}, {}};
+}
+
 Proposition atom(Atom statement, std::string about) {
   return {Proposition::Kind::atom, std::move(about), {}, std::move(statement)};
 }

@@ -93,7 +93,7 @@ using Atom =
 /// A combination of such statements, with a few words on what each part is about (for the
 /// report: "equal tangent planes along the seam").
 struct Proposition {
-  enum class Kind { all, any, negation, atom };
+  enum class Kind { all, any, negation, suffices, atom };
   Kind kind = Kind::all;
   std::string about;
   std::vector<Proposition> parts;
@@ -103,6 +103,8 @@ struct Proposition {
 Proposition all(std::vector<Proposition> parts, std::string about = {});
 Proposition any(std::vector<Proposition> parts, std::string about = {});
 Proposition negation(Proposition part, std::string about = {});
+/// Holds where the part holds; its failure says nothing.
+Proposition suffices(Proposition part, std::string about = {});
 Proposition atom(Atom statement, std::string about = {});
 
 Proposition truth();      ///< all of nothing

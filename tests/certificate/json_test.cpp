@@ -67,7 +67,8 @@ Certificate example() {
   s.goal = {Goal::Kind::all,
             {{Goal::Kind::obligation, {}, 0},
              {Goal::Kind::any, {}, -1},
-             {Goal::Kind::negation, {{Goal::Kind::obligation, {}, 4}}, -1}},
+             {Goal::Kind::negation, {{Goal::Kind::obligation, {}, 4}}, -1},
+             {Goal::Kind::suffices, {{Goal::Kind::obligation, {}, 4}}, -1}},
             -1};
   c.evidence.generators = {{"r", 7, "-1", "1"}};
   c.evidence.nodes = {{Node::Kind::symbol, "r", {}, 0}, {Node::Kind::sum, {}, {6, 0, 5}, 0}};

@@ -23,6 +23,10 @@ Goal negation(Goal part) {
   return {Goal::Kind::negation, {std::move(part)}, -1};
 }
 
+Goal suffices(Goal part) {
+  return {Goal::Kind::suffices, {std::move(part)}, -1};
+}
+
 constexpr int holds = 0, fails = 1, open = 2;
 
 // Three obligations: one that holds, one that fails, one that stays open.
@@ -54,6 +58,19 @@ TEST(Judge, combines_in_three_values) {
   EXPECT_EQ(judged(any({leaf(open), leaf(fails)})).verdict, undecided);
   EXPECT_EQ(judged(any({leaf(fails), leaf(fails)})).verdict, refuted);
   EXPECT_EQ(judged(negation(any({leaf(fails), negation(leaf(holds))}))).verdict, proven);
+}
+
+TEST(Judge, takes_what_suffices_for_a_proof_and_never_for_a_refutation) {
+  using enum Verdict;
+  EXPECT_EQ(judged(suffices(leaf(holds))).verdict, proven);
+  EXPECT_EQ(judged(suffices(leaf(fails))).verdict, undecided);
+  EXPECT_EQ(judged(suffices(leaf(open))).verdict, undecided);
+  EXPECT_EQ(judged(negation(suffices(leaf(holds)))).verdict, refuted);
+  EXPECT_EQ(judged(negation(suffices(leaf(fails)))).verdict, undecided);
+  EXPECT_EQ(judged(all({leaf(fails), suffices(leaf(fails))})).verdict, refuted);
+  EXPECT_EQ(judged(all({leaf(holds), suffices(leaf(fails))})).verdict, undecided);
+  EXPECT_EQ(judged(any({leaf(fails), suffices(leaf(fails))})).verdict, undecided);
+  EXPECT_NE(judged(suffices(leaf(fails))).reason, "");
 }
 
 TEST(Judge, says_why_it_does_not_decide) {

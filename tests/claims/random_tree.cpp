@@ -276,6 +276,10 @@ Item RandomTree::item(Item::Kind kind) {
       for (int left = below(3); left > 0; --left) item.parameters.push_back(name());
       item.expressions = {any(6)};
       break;
+    case Item::Kind::sequence:
+      item.parameters = {name()};
+      item.expressions = {any(4), any(4)};
+      break;
     case Item::Kind::param:
       fill_param(item);
       break;

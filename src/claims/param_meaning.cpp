@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "claims/item_reader.h"
+#include "claims/parameters.h"
+
+// A parameter is a symbol, or a vector of symbols, with a set; a condition belongs to all the
+// symbols of its item. An integer parameter has its values from the statements that hold it.
+
+namespace seam::claims {
+
+bool is_taken(const std::string& name) {
+  std::vector<std::string> taken = builtin_names();
+  for (std::string& predicate : predicate_names()) taken.push_back(std::move(predicate));
+  return std::ranges::find(taken, name) != taken.end();
+}
+
+Definition Reader::parameter(const Item& item, const std::string& name) {
+  Definition definition{&item, {}, {}, false, {}};
+  if (item.type == "integer") {
+    definition.holds_integers = true;
+    evaluator_.bind(name);
+    evaluator_.integers.known.emplace(name, &item);
+    return definition;
+  }
+  if (!item.type.empty()) {
+    const exact::Integer size(item.type.substr(item.type.find_first_of("0123456789")));
+    if (size < 1 || size > 100) {
+      report({item.span, "expected a vector of 1 to 100 entries", {}});
+      definition.broken = true;
+      return definition;
+    }
+    Vector vector;
+    for (long i = 1; i <= size.get_si(); ++i) {
+      const std::string symbol = evaluator_.bind(name + "[" + std::to_string(i) + "]");
+      evaluator_.parameters.push_back({symbol, std::nullopt, {}});
+      vector.push_back(Scalar(Formula::symbol(symbol)));
+    }
+    definition.value = Value{vector};
+    return definition;
+  }
+  const std::string symbol = evaluator_.bind(name);
+  Parameter parameter{symbol, std::nullopt, {}};
+  evaluator_.sides.clear();
+  if (!item.expressions.empty())
+    parameter.set = evaluator_.continuous_set(item.expressions[0], {symbol}, Scope{});
+  evaluator_.parameters.push_back(parameter);
+  definition.value = Value{Scalar(Formula::symbol(symbol))};
+  definition.sides = evaluator_.sides;
+  return definition;
+}
+
+// The condition holds for the symbols of all names of the item; and some values meet it.
+void Reader::set_condition(const Item& item) {
+  if (item.type == "integer") {
+    const IntegerRange range = integer_range(evaluator_, item.names.front());
+    if (range.low && range.high && *range.low > *range.high)
+      fail(item.where ? *item.where : item.expressions[0], "no integer is in this set");
+    return;
+  }
+  if (!item.where) return;
+  Stating stating(evaluator_);
+  const auto condition = stating.constraints(*item.where, Scope{}, {}, true);
+  if (!condition) fail(*item.where, "a condition after 'where' compares polynomials");
+  std::set<std::string> symbols;
+  for (const std::string& name : item.names) {
+    const std::optional<Value>& value = evaluator_.globals.at(name).value;
+    if (!value) throw Broken();
+    for (const Value& entry : value->as<Vector>() ? as_items(evaluator_, *value, *item.where)
+                                                  : std::vector<Value>{*value})
+      symbols.merge(symbolic::variables(entry.as<Scalar>()->numerator));
+  }
+  for (const symbolic::Constraint& c : *condition)
+    if (symbolic::variables(c.formula).empty())
+      fail(*item.where, "this condition says nothing of the parameter");
+  for (Parameter& parameter : evaluator_.parameters)
+    if (symbols.contains(parameter.name)) parameter.where = *condition;
+  for (const std::string& name : item.names) {
+    auto& sides = evaluator_.globals.at(name).sides;
+    sides.insert(sides.end(), stating.guards.begin(), stating.guards.end());
+  }
+  if (!is_inhabited(evaluator_, symbols))
+    throw Unsupported("no value of the parameter was found that meets its condition");
+}
+
+void Reader::define_param(const Item& item) {
+  meaning_.items.push_back(MeantDefinition{item});
+  std::vector<std::string> names;
+  const auto attempt = [&](const auto& action) {
+    std::string unsupported;
+    bool broken = false;
+    try {
+      return action();
+    } catch (const Problem& problem) {
+      report(problem.diagnostic);
+      broken = true;
+    } catch (const IntegerMet&) {
+      if (item.type == "integer") return;
+      unsupported = "a condition that compares a real parameter with an integer one";
+    } catch (const Unsupported& reason) {
+      unsupported = reason.what();
+    } catch (const symbolic::NumberLimit& limit) {
+      unsupported = limit.what();
+    } catch (const Broken&) {
+      broken = true;
+    }
+    for (const std::string& name : names) {
+      evaluator_.globals[name].broken |= broken;
+      if (!unsupported.empty()) evaluator_.globals[name].unsupported = unsupported;
+    }
+  };
+  for (const std::string& name : item.names) {
+    if (evaluator_.globals.contains(name) || is_taken(name)) {
+      report({item.span, "'" + name + "' is defined already", "choose another name"});
+      continue;
+    }
+    names.push_back(name);
+    attempt([&] { evaluator_.globals[name] = parameter(item, name); });
+  }
+  if (names.size() == item.names.size()) attempt([&] { set_condition(item); });
+}
+
+}  // namespace seam::claims
