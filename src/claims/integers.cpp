@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "claims/stating.h"
+#include "claims/parameters.h"
 #include "symbolic/coefficients.h"
 
 // For an integer n >= m the power p^n of a prime p is a number >= p^m, and p^(n+1) is p times
@@ -242,8 +242,14 @@ IntegerRange integer_range(Evaluator& evaluator, const std::string& parameter) {
         throw Unsupported("a condition that compares an integer parameter with a real one");
     std::set<std::string> others;
     std::ranges::set_intersection(variables, unassigned, std::inserter(others, others.end()));
-    if (!others.empty()) {
-      if (variables.contains(parameter)) range.others.merge(others);
+    if (variables.empty()) {
+      // Of other parameters, which are numbers here: no value meets it, or all do.
+      if (!meets(evaluator.numbers.sign(constraint.formula), constraint.relation))
+        range.low = 1, range.high = 0;
+    } else if (!variables.contains(parameter)) {
+      continue;
+    } else if (!others.empty()) {
+      range.others.merge(others);
     } else if (!take_bound(range, constraint, parameter, evaluator)) {
       range.rest.push_back(constraint);
     }

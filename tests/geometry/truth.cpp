@@ -160,6 +160,8 @@ bool holds(const Proposition& p, const Numbers& numbers) {
       return std::ranges::all_of(p.parts, part_holds);
     case Proposition::Kind::any:
       return std::ranges::any_of(p.parts, part_holds);
+    case Proposition::Kind::suffices:
+      return holds(p.parts.front(), numbers);
     case Proposition::Kind::negation:
       return !holds(p.parts.at(0), numbers);
     case Proposition::Kind::atom:
