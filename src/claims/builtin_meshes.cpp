@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "claims/any_mesh.h"
 #include "claims/builtin.h"
 #include "geometry/truncation.h"
 
@@ -15,6 +16,7 @@ using geometry::Property;
 using symbolic::Point;
 
 constexpr long most_sides = 1'000'000;
+constexpr long max_times = 100;
 
 Mesh mesh(const Call& call) {
   Mesh result = call.get<Mesh>(0, "a mesh");
@@ -51,22 +53,60 @@ Formula ratio_of(const Call& call) {
   return ratio;
 }
 
-Value truncate(const Call& call) {
-  Mesh result = mesh(call);
-  const Formula ratio = ratio_of(call);
-  const long times = call.count() == 3 ? call.integer(2) : 1;
-  if (times < 0) fail(call[2], "expected how often, from 0 on");
-  if (const std::string fault = geometry::not_oriented_manifold(result); !fault.empty())
-    fail(call[0], "this mesh cannot be truncated: " + fault,
-         "that takes a closed mesh whose faces are turned alike");
+// How often: a number, or an integer parameter with a least value.
+IteratedMesh how_often(const Call& call, const Formula& ratio) {
+  IteratedMesh result;
+  result.ratio = ratio;
+  result.least = 1;
+  if (call.count() < 3) return result;
+  const Scalar times = as_scalar(call.evaluator, call.value(2), call[2]);
+  const auto index = as_index(call.evaluator, times);
+  if (!index) fail(call[2], "expected an integer, or an integer parameter and an integer");
+  result.least = index->shift;
+  result.parameter = index->parameter;
+  if (!index->parameter.empty()) {
+    const Integers::General& range = call.evaluator.integers.general.at(index->parameter);
+    if (!range.first || !range.upward)
+      throw Unsupported(
+          "a truncation repeated as often as an integer without a least value says");
+    result.first = *range.first;
+    result.least += result.first;
+  }
+  if (result.least < 0) fail(call[2], "expected how often, from 0 on");
+  return result;
+}
+
+Mesh truncated(const Call& call, Mesh mesh, const Formula& ratio, long times) {
   for (long k = 0; k < times; ++k) {
     std::size_t sides = 0;
-    for (const auto& face : result.faces) sides += face.size();
+    for (const auto& face : mesh.faces) sides += face.size();
     if (std::cmp_greater(3 * sides, most_sides))
       fail(call.at, "this mesh would have more than half a million edges");
-    result = geometry::truncate(result, ratio);
+    mesh = geometry::truncate(mesh, ratio);
   }
-  return {std::move(result)};
+  return mesh;
+}
+
+Value truncate(const Call& call) {
+  const Formula ratio = ratio_of(call);
+  IteratedMesh result = how_often(call, ratio);
+  const bool is_general = !result.parameter.empty();
+  if (const Value value = call.value(0); const auto* any = value.as<AnyMesh>()) {
+    AnyMesh mesh = *any;
+    if (!is_general && result.least > max_times) fail(call[2], "truncated too often");
+    if (!is_general)
+      for (long k = 0; k < result.least; ++k) mesh = claims::truncated(mesh);
+    if (!is_general) return {mesh};
+    result.mesh = mesh;
+    return {result};
+  }
+  const Mesh base = mesh(call);
+  if (const std::string fault = geometry::not_oriented_manifold(base); !fault.empty())
+    fail(call[0], "this mesh cannot be truncated: " + fault,
+         "that takes a closed mesh whose faces are turned alike");
+  if (!is_general) return {truncated(call, base, ratio, result.least)};
+  result.mesh = base;
+  return {result};
 }
 
 void state(const Call& call, const Mesh& m, Property property, std::vector<int> values) {
@@ -74,22 +114,23 @@ void state(const Call& call, const Mesh& m, Property property, std::vector<int> 
       geometry::has(m, property, std::move(values), "counted on the mesh"));
 }
 
-std::vector<int> counted(const Call& call) {
+// V, E, F.
+Vector counted(const Call& call) {
+  if (const Value value = call.value(0); const auto* any = value.as<AnyMesh>())
+    return {any->vertices, any->edges, any->faces};
   const Mesh m = mesh(call);
   std::vector<int> values = geometry::counts(m);
   state(call, m, Property::counts, values);
-  return values;
+  return Vector(values.begin(), values.end());
 }
 
-// V, E, F.
 Value counts(const Call& call) {
-  const auto values = counted(call);
-  return {Vector(values.begin(), values.end())};
+  return {counted(call)};
 }
 
 Value euler(const Call& call) {
-  const auto values = counted(call);
-  return {Scalar(values[0] - values[1] + values[2])};
+  const Vector values = counted(call);
+  return {values[0] - values[1] + values[2]};
 }
 
 Value pairs(const std::vector<int>& values) {
@@ -100,6 +141,8 @@ Value pairs(const std::vector<int>& values) {
 }
 
 Value face_sizes(const Call& call) {
+  if (call.value(0).as<AnyMesh>())
+    throw Unsupported("the sizes of the faces of an arbitrary mesh");
   const Mesh m = mesh(call);
   const auto values = geometry::face_sizes(m);
   state(call, m, Property::face_sizes, values);
@@ -107,6 +150,10 @@ Value face_sizes(const Call& call) {
 }
 
 Value valences(const Call& call) {
+  if (const Value value = call.value(0); const auto* any = value.as<AnyMesh>()) {
+    if (!any->trivalent) throw Unsupported("the valences of an arbitrary mesh");
+    return {List{{{Vector{Scalar(3), any->vertices}}}, false}};
+  }
   const Mesh m = mesh(call);
   const auto values = geometry::valences(m);
   state(call, m, Property::valences, values);

@@ -32,6 +32,10 @@ struct Describe {
   std::string operator()(const CurveField&) const { return "a function on a curve"; }
   std::string operator()(const SurfaceField&) const { return "a function on a surface"; }
   std::string operator()(const geometry::Mesh&) const { return "a solid"; }
+  std::string operator()(const AnyMesh&) const { return "an arbitrary mesh"; }
+  std::string operator()(const IteratedMesh&) const {
+    return "a mesh truncated again and again";
+  }
   std::string operator()(const geometry::Surface&) const { return "a surface"; }
   std::string operator()(const Extremum&) const { return "an extremum"; }
   std::string operator()(const Minimax&) const { return "a best value of a parameter"; }

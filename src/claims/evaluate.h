@@ -108,6 +108,7 @@ class Evaluator {
   Numbers& numbers;
   std::map<std::string, Definition> globals;
   std::vector<Parameter> parameters;
+  std::vector<std::string> any_meshes;  ///< parameters that stand for any mesh
   Integers integers;
   std::map<std::string, std::size_t> sums;      ///< up to integer parameters, numbered
   std::vector<symbolic::Proposition> sides;     ///< of what is being evaluated

@@ -99,7 +99,46 @@ class Induction {
     result_.predicates.merge(here.predicates);
   }
 
+  // Nothing in it is another for another value of the parameter.
+  bool is_free(const Proposition& p) const {
+    if (p.kind != Proposition::Kind::atom)
+      return std::ranges::all_of(p.parts, [this](const auto& part) { return is_free(part); });
+    if (std::holds_alternative<symbolic::Solutions>(p.atom) ||
+        std::holds_alternative<symbolic::OneSolution>(p.atom))
+      return false;
+    return std::ranges::none_of(variables_of(p), [this](const std::string& v) {
+      return v == parameter_ || v.ends_with("^" + parameter_) ||
+             evaluator_.integers.opaque.contains(v);
+    });
+  }
+
+  // What comes out the same for every value from the first on needs no induction here.
+  bool state_at_large(long first) {
+    const Assigned any(evaluator_, parameter_, Scalar(0));
+    const std::set<std::string> bound = evaluator_.bound_symbols();
+    generalise(evaluator_, parameter_, {first, true});
+    Stated stated;
+    try {
+      stated = stated_under(evaluator_, statement_, scope_, {});
+    } catch (const Unsupported&) {
+      evaluator_.bind_only(bound);
+      return false;
+    } catch (const Problem&) {
+      evaluator_.bind_only(bound);
+      return false;
+    }
+    const auto free = [this](const Proposition& p) { return is_free(p); };
+    if (!free(stated.goal) || !std::ranges::all_of(stated.guards, free)) return false;
+    parts_.push_back(std::move(stated.goal));
+    std::ranges::move(stated.guards, std::back_inserter(result_.guards));
+    result_.predicates.merge(stated.predicates);
+    return met_ = true;
+  }
+
   void ascend(long first, long direction) {
+    if (direction > 0 && range_.low && range_.rest.empty() && range_.others.empty() &&
+        state_at_large(first))
+      return;
     const long last = first + direction * (size_ - 1);
     for (long i = first; i != last + direction; i += direction) instance(i, "base: ");
     parts_.push_back(symbolic::suffices(step(last, direction)));

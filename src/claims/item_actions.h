@@ -109,6 +109,10 @@ struct action<integer_type> {
   static void apply0(Builder& b) { b.item.type = "integer"; }
 };
 template <>
+struct action<mesh_type> {
+  static void apply0(Builder& b) { b.item.type = "mesh"; }
+};
+template <>
 struct action<whole_text> : reads_word {};
 template <>
 struct action<dimension> {

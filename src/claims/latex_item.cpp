@@ -24,6 +24,8 @@ std::string param(const Item& item) {
   std::string tex = names(item.names);
   if (item.type == "integer")
     tex += " \\in \\mathbb{Z}";
+  else if (item.type == "mesh")
+    tex += "\\text{ a closed mesh}";
   else if (!item.type.empty())
     tex += " \\in \\mathbb{R}^{" + item.type.substr(item.type.find(' ') + 1) + "}";
   else if (item.expressions.empty())

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
+#include "claims/any_mesh.h"
 #include "claims/item_reader.h"
 #include "claims/parameters.h"
 
@@ -21,6 +22,10 @@ Definition Reader::parameter(const Item& item, const std::string& name) {
     definition.holds_integers = true;
     evaluator_.bind(name);
     evaluator_.integers.known.emplace(name, &item);
+    return definition;
+  }
+  if (item.type == "mesh") {
+    definition.value = Value{any_mesh(evaluator_, name)};
     return definition;
   }
   if (!item.type.empty()) {
@@ -59,6 +64,7 @@ void Reader::set_condition(const Item& item) {
     return;
   }
   if (!item.where) return;
+  if (item.type == "mesh") return suppose(evaluator_, item);
   Stating stating(evaluator_);
   const auto condition = stating.constraints(*item.where, Scope{}, {}, true);
   if (!condition) fail(*item.where, "a condition after 'where' compares polynomials");

@@ -5,6 +5,7 @@
 #include "claims/stating.h"
 #include "geometry/contact.h"
 #include "geometry/similarity.h"
+#include "geometry/truncation.h"
 #include "symbolic/coefficients.h"
 
 // Predicates of the language by name, and statements that a file defines.
@@ -108,6 +109,33 @@ Criterion c_of_order(const Arguments& a) {
       a, 1, [=](const geometry::Contact& c) { return geometry::equal_derivatives(c, order); });
 }
 
+// A mesh that is truncated `least` times or more: as it is then, or, where some vertex has
+// other than three edges, once again; from there on by induction.
+Criterion planar_for_ever(const IteratedMesh& m) {
+  std::vector<Proposition> parts;
+  if (const auto* any = std::get_if<AnyMesh>(&m.mesh)) {
+    if (!any->planar || !any->trivalent)
+      throw Unsupported(
+          "the planarity of an arbitrary mesh that is not supposed planar and 3-valent");
+  } else {
+    geometry::Mesh mesh = std::get<geometry::Mesh>(m.mesh);
+    for (long k = 0; k < m.least; ++k) mesh = geometry::truncate(mesh, m.ratio);
+    const auto at = [&](long k) {
+      return "base: " + m.parameter + " = " + std::to_string(m.first + k);
+    };
+    parts.push_back(geometry::has(mesh, Property::planar, {}, at(0)));
+    const bool trivalent = geometry::is_trivalent(mesh);
+    if (!trivalent) {
+      mesh = geometry::truncate(mesh, m.ratio);
+      parts.push_back(geometry::has(mesh, Property::planar, {}, at(1)));
+    }
+    parts.push_back(geometry::has(mesh, Property::valences, geometry::valences(mesh),
+                                  at(trivalent ? 0 : 1)));
+  }
+  parts.push_back(geometry::planarity_step(m.ratio));
+  return {symbolic::all(std::move(parts))};
+}
+
 template <Property property>
 Criterion of_mesh(const Arguments& a) {
   return {geometry::has(a.mesh(0), property)};
@@ -137,7 +165,20 @@ Criterion interpolates(const Arguments& a) {
   return {geometry::interpolates(s, points, a.numbers())};
 }
 
+Criterion trivalent(const Arguments& a) {
+  if (const auto* any = a.values[0].as<AnyMesh>()) {
+    if (any->trivalent) return {symbolic::truth()};
+    throw Unsupported("the valences of an arbitrary mesh");
+  }
+  const int vertices = static_cast<int>(a.mesh(0).vertices.size());
+  return {
+      geometry::has(a.mesh(0), Property::valences, {3, vertices}, "every vertex is 3-valent")};
+}
+
 Criterion planar(const Arguments& a) {
+  if (const auto* m = a.values[0].as<IteratedMesh>()) return planar_for_ever(*m);
+  if (const auto* any = a.values[0].as<AnyMesh>())
+    return planar_for_ever({*any, Formula::symbol("r~"), 0, {}, 0});
   if (a.values[0].as<geometry::Mesh>()) return of_mesh<Property::planar>(a);
   const auto points = as_points(a.evaluator, a.values[0], a.place(0));
   if (points.empty() || points[0].size() != 3)
@@ -174,6 +215,7 @@ const std::map<std::string, Entry>& table() {
       {"connected", {1, 1, of_mesh<Property::connected>}},
       {"manifold", {1, 1, of_mesh<Property::manifold>}},
       {"orientable", {1, 1, of_mesh<Property::orientable>}},
+      {"trivalent", {1, 1, trivalent}},
       {"oriented", {1, 1, of_mesh<Property::oriented>}},
       {"similar", {2, 2, similar}},
       {"congruent", {2, 2, congruent}}};

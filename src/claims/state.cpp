@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "claims/any_mesh.h"
 #include "claims/induction.h"
 #include "claims/parameters.h"
 
@@ -110,6 +111,12 @@ static void collect(const Proposition& p, std::set<std::string>& found) {
   }
 }
 
+std::set<std::string> variables_of(const Proposition& p) {
+  std::set<std::string> found;
+  collect(p, found);
+  return found;
+}
+
 static Context parameters_in(const Evaluator& evaluator, const Stating& stating,
                              const Proposition& goal) {
   std::set<std::string> found;
@@ -136,6 +143,7 @@ Stated stated_under(Evaluator& evaluator, const Expression& statement, const Sco
       context.where.insert(context.where.end(), known.begin(), known.end());
       if (!context.empty()) continue;
     }
+    result.goal = of_meshes(evaluator, std::move(result.goal));
     std::vector<Proposition> sides;
     for (const Proposition& side : evaluator.sides)
       sides.push_back(stating.settled(side, context, statement));

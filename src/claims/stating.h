@@ -122,6 +122,9 @@ class Stating {
 /// to either side.
 std::pair<exact::Rational, exact::Rational> printed_range(const Expression& printed);
 
+/// The variables of the formulas of zeros, signs, tuples and systems in several unknowns.
+std::set<std::string> variables_of(const Proposition&);
+
 std::vector<std::string> predicate_names();
 
 std::string negated_operation(const std::string& operation);

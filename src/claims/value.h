@@ -63,6 +63,24 @@ struct Minimax {
   std::optional<symbolic::Simplex> range;  ///< of the unknown; none: every real number
 };
 
+/// A closed mesh that a parameter stands for, or what truncations make of it: how many
+/// vertices, edges, faces it has, and what is known of it.
+struct AnyMesh {
+  Scalar vertices, edges, faces;
+  bool planar = false;
+  bool trivalent = false;
+};
+
+/// `truncate(M, r, k)` for every integer k from some one on: truncated `least` times or more,
+/// which is the case where `parameter` is `first` or more.
+struct IteratedMesh {
+  std::variant<geometry::Mesh, AnyMesh> mesh;
+  Formula ratio;
+  long least = 0;
+  std::string parameter;
+  long first = 0;
+};
+
 struct Plane {
   Vector normal;
   Scalar offset;
@@ -82,8 +100,8 @@ struct Function {
 
 struct Value {
   std::variant<Scalar, Vector, MatrixValue, List, geometry::Curve, geometry::Patch, Field,
-               CurveField, SurfaceField, geometry::Mesh, geometry::Surface, Extremum, Minimax,
-               Plane, Region, Function>
+               CurveField, SurfaceField, geometry::Mesh, AnyMesh, IteratedMesh,
+               geometry::Surface, Extremum, Minimax, Plane, Region, Function>
       content;
 
   template <class T>

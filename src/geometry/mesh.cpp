@@ -121,6 +121,10 @@ std::vector<int> valences(const Mesh& mesh) {
   return multiset(count);
 }
 
+bool is_trivalent(const Mesh& mesh) {
+  return valences(mesh) == std::vector{3, static_cast<int>(mesh.vertices.size())};
+}
+
 Point centroid(const std::vector<Point>& points, Numbers& numbers) {
   exact::require(!points.empty(), "centroid of no points");
   Point total = points[0];

@@ -44,6 +44,7 @@ std::vector<int> counts(const Mesh&);
 /// The number of corners of faces; of edges at vertices: each, and how often, by rising number.
 std::vector<int> face_sizes(const Mesh&);
 std::vector<int> valences(const Mesh&);
+bool is_trivalent(const Mesh&);  ///< three edges at each vertex
 
 /// Vertices at the centroids of the faces, in their order; a face for each vertex whose faces
 /// close up round it, in the order of the vertices.

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "exact/contract.h"
+#include "geometry/contact.h"
 
 // The cut near the first end of side i is new vertex i. A new 2n-gon passes the cuts of each of
 // its sides, that of the side itself, then that of its mate, the side of the neighbour along
@@ -14,6 +15,10 @@
 // each end of an edge; for each edge its middle part, and for each corner of a face, of which
 // there are 2E, an edge that cuts it off; a face for each face and for each vertex. Each new
 // vertex is on one middle part and on two of the others: all are 3-valent.
+//
+// Where all faces are planar and all vertices 3-valent, this is so after a truncation: the cuts
+// of a face lie on its sides, so in its plane; near a vertex there are three. By induction it
+// is so for ever.
 
 namespace seam::geometry {
 namespace {
@@ -104,6 +109,26 @@ Mesh truncate(const Mesh& mesh, const Formula& ratio) {
   result.ratios = mesh.ratios;
   result.ratios.push_back(ratio);
   return result;
+}
+
+// n.((1 - r) P + r Q) - d is a combination of n.P - d and n.Q - d, and 0 where these are.
+symbolic::Proposition planarity_step(const Formula& ratio) {
+  const auto point = [](const std::string& name) {
+    Point result;
+    for (const char* place : {"~[1]", "~[2]", "~[3]"})
+      result.push_back(Formula::symbol(name + place));
+    return result;
+  };
+  const Point n = point("n"), p = point("P");
+  const Formula d = Formula::symbol("d~");
+  const auto cut = [&](const Point& q) { return p + ratio * (q - p); };
+  const Point q = point("Q");
+  const Formula in_plane = dot(n, cut(q)) - d;
+  const Formula combination = (1 - ratio) * (dot(n, p) - d) + ratio * (dot(n, q) - d);
+  return symbolic::all({symbolic::atom(symbolic::Zero{in_plane - combination},
+                                       "step: a cut lies in each plane of its edge"),
+                        symbolic::all({planar({cut(q), cut(point("R")), cut(point("S"))})},
+                                      "step: the cuts near a 3-valent vertex")});
 }
 
 }  // namespace seam::geometry

@@ -16,4 +16,8 @@ std::string not_oriented_manifold(const Mesh&);
 /// is an oriented manifold, and so is the result.
 Mesh truncate(const Mesh&, const Formula& ratio);
 
+/// Why truncation keeps planar what is planar and 3-valent: a cut lies in each plane in which
+/// its edge lies, and the three cuts near a vertex lie in one plane.
+symbolic::Proposition planarity_step(const Formula& ratio);
+
 }  // namespace seam::geometry
