@@ -57,6 +57,7 @@ std::optional<Proposition> put_in(Proposition p, const Values& values,
 }
 
 void collect_atoms(const Proposition& p, std::vector<Proposition>& atoms) {
+  if (p.kind == Proposition::Kind::suffices) return;
   if (p.kind == Proposition::Kind::atom) atoms.push_back(p);
   if (p.kind == Proposition::Kind::any || p.kind == Proposition::Kind::negation)
     throw Unsupported("a statement about any mesh that is not a conjunction of comparisons");
@@ -136,6 +137,8 @@ Proposition of_meshes(const Evaluator& evaluator, Proposition p) {
   if (!holds_any(p, symbols)) return p;
   std::vector<Proposition> atoms, parts;
   collect_atoms(p, atoms);
+  for (const Proposition& atom : atoms)
+    if (!holds_any(atom, symbols)) parts.push_back(atom);
   for (const Known& known : known_meshes) {
     if (trivalent && !known.trivalent) continue;
     Values values;

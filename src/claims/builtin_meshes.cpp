@@ -19,6 +19,9 @@ constexpr long most_sides = 1'000'000;
 constexpr long max_times = 100;
 
 Mesh mesh(const Call& call) {
+  const Value value = call.value(0);
+  if (value.as<AnyMesh>() || value.as<IteratedMesh>())
+    throw Unsupported("this function of " + description(value));
   Mesh result = call.get<Mesh>(0, "a mesh");
   require_faces(result, call[0]);
   return result;
@@ -114,10 +117,37 @@ void state(const Call& call, const Mesh& m, Property property, std::vector<int> 
       geometry::has(m, property, std::move(values), "counted on the mesh"));
 }
 
+// V, E, F of a mesh with three edges at each vertex after k more truncations: V 3^k, E 3^k,
+// F + V (1 + 3 + ... + 3^(k - 1)).
+Vector counted(const Call& call, const IteratedMesh& m) {
+  AnyMesh start;
+  if (const auto* any = std::get_if<AnyMesh>(&m.mesh)) {
+    start = *any;
+    for (long k = 0; k < m.least; ++k) start = claims::truncated(start);
+  } else {
+    const Mesh mesh = truncated(call, std::get<Mesh>(m.mesh), m.ratio, m.least);
+    const std::vector<int> values = geometry::counts(mesh);
+    start = {values[0], values[1], values[2], false, geometry::is_trivalent(mesh)};
+    state(call, mesh, Property::counts, values);
+    state(call, mesh, Property::valences, geometry::valences(mesh));
+  }
+  if (!start.trivalent)
+    throw Unsupported(
+        "counting on a mesh with other than three edges at a vertex, truncated as "
+        "often as an integer parameter says");
+  Evaluator& evaluator = call.evaluator;
+  const Scalar times = Scalar(Formula::symbol(m.parameter)) - Scalar(m.first);
+  const auto power = integer_power(evaluator, Scalar(3), times);
+  const Scalar half{Formula(exact::Rational(1, 2))};
+  return {start.vertices * *power, start.edges * *power,
+          start.faces + start.vertices * (*power - Scalar(1)) * half};
+}
+
 // V, E, F.
 Vector counted(const Call& call) {
-  if (const Value value = call.value(0); const auto* any = value.as<AnyMesh>())
-    return {any->vertices, any->edges, any->faces};
+  const Value value = call.value(0);
+  if (const auto* any = value.as<AnyMesh>()) return {any->vertices, any->edges, any->faces};
+  if (const auto* iterated = value.as<IteratedMesh>()) return counted(call, *iterated);
   const Mesh m = mesh(call);
   std::vector<int> values = geometry::counts(m);
   state(call, m, Property::counts, values);
@@ -141,8 +171,6 @@ Value pairs(const std::vector<int>& values) {
 }
 
 Value face_sizes(const Call& call) {
-  if (call.value(0).as<AnyMesh>())
-    throw Unsupported("the sizes of the faces of an arbitrary mesh");
   const Mesh m = mesh(call);
   const auto values = geometry::face_sizes(m);
   state(call, m, Property::face_sizes, values);

@@ -45,6 +45,8 @@ struct Arguments {
   }
   const geometry::Mesh& mesh(std::size_t i) const {
     const auto* found = values[i].as<geometry::Mesh>();
+    if (values[i].as<AnyMesh>() || values[i].as<IteratedMesh>())
+      throw Unsupported("this predicate of " + description(values[i]));
     if (!found) fail(place(i), "expected a mesh, found " + description(values[i]));
     require_faces(*found, place(i));
     return *found;
@@ -136,17 +138,21 @@ Criterion planar_for_ever(const IteratedMesh& m) {
   return {symbolic::all(std::move(parts))};
 }
 
+bool is_mesh(const Value& value) {
+  return value.as<geometry::Mesh>() || value.as<AnyMesh>() || value.as<IteratedMesh>();
+}
+
 template <Property property>
 Criterion of_mesh(const Arguments& a) {
   return {geometry::has(a.mesh(0), property)};
 }
 
 Criterion closed(const Arguments& a) {
-  if (a.values[0].as<geometry::Mesh>()) return of_mesh<Property::closed>(a);
+  if (is_mesh(a.values[0])) return of_mesh<Property::closed>(a);
   return {geometry::closed(a.surface(0), a.numbers())};
 }
 Criterion convex(const Arguments& a) {
-  if (a.values[0].as<geometry::Mesh>()) return of_mesh<Property::convex>(a);
+  if (is_mesh(a.values[0])) return of_mesh<Property::convex>(a);
   return {geometry::convex(a.surface(0), a.numbers())};
 }
 

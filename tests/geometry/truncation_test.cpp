@@ -58,6 +58,11 @@ TEST(Truncation, remembers_what_was_truncated) {
   EXPECT_EQ(twice.ratios.size(), 2);
 }
 
+TEST(Truncation, makes_every_mesh_trivalent) {
+  EXPECT_FALSE(is_trivalent(pyramid()));
+  EXPECT_TRUE(is_trivalent(truncate(pyramid(), quarter)));
+}
+
 TEST(Truncation, a_mesh_with_a_hole_is_no_manifold) {
   Mesh open = pyramid();
   open.faces.pop_back();
