@@ -123,18 +123,20 @@ void suppose(Evaluator& evaluator, const Item& param) {
 }
 
 Proposition of_meshes(const Evaluator& evaluator, Proposition p) {
-  if (evaluator.any_meshes.empty()) return p;
   std::set<std::string> symbols;
   bool trivalent = false;
   for (const std::string& name : evaluator.any_meshes) {
     const auto& value = evaluator.globals.at(name).value;
     if (!value) continue;
     const auto* mesh = value->as<AnyMesh>();
+    std::set<std::string> own;
     for (const Scalar* number : {&mesh->vertices, &mesh->edges, &mesh->faces})
-      symbols.insert(number->numerator.name());
+      own.insert(number->numerator.name());
+    if (!holds_any(p, own)) continue;
+    symbols.merge(own);
     trivalent = trivalent || mesh->trivalent;
   }
-  if (!holds_any(p, symbols)) return p;
+  if (symbols.empty()) return p;
   std::vector<Proposition> atoms, parts;
   collect_atoms(p, atoms);
   for (const Proposition& atom : atoms)
