@@ -161,6 +161,12 @@ std::optional<Value> product_of(Evaluator& evaluator, const Expression& at, cons
     const Matrix matrix = as_matrix(evaluator, a, at);
     return moved(evaluator, at, b, [&](const Point& point) { return matrix * point; });
   }
+  if (const auto* n = b.as<MatrixValue>(); n && a.as<Vector>()) {
+    Vector result;
+    for (std::size_t j = 0; j < n->rows.front().size(); ++j)
+      result.push_back(inner(at, *a.as<Vector>(), column(*n, j)));
+    return Value{result};
+  }
   if (const auto* f = a.as<Field>(), *g = b.as<Field>();
       f && g && f->shape == g->shape && f->components.size() == 1)
     return Value{Field{f->shape, scaled(f->components[0], g->components)}};

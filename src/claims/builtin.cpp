@@ -6,10 +6,11 @@
 namespace seam::claims {
 namespace {
 
-std::array<const Builtins*, 9> tables() {
+std::array<const Builtins*, 10> tables() {
   return {&number_builtins(), &function_builtins(), &coefficient_builtins(),
           &vector_builtins(), &patch_builtins(),    &solid_builtins(),
-          &mesh_builtins(),   &extremum_builtins(), &minimax_builtins()};
+          &mesh_builtins(),   &extremum_builtins(), &minimax_builtins(),
+          &spline_builtins()};
 }
 
 using Solid = geometry::Mesh (*)(Numbers&);

@@ -45,6 +45,7 @@ const Builtins& solid_builtins();        ///< faces dual rotations orbit surface
 const Builtins& mesh_builtins();         ///< mesh truncate counts valences …
 const Builtins& extremum_builtins();     ///< max min argmax argmin
 const Builtins& minimax_builtins();      ///< minimax
+const Builtins& spline_builtins();       ///< blending tensor
 
 /// Surfaces and solids live in space, and their points are numbers: an error at `at`, or
 /// `Unsupported`, where they would not.

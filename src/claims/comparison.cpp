@@ -125,10 +125,12 @@ std::vector<symbolic::Domain> Stating::domains(const std::set<std::string>& vari
   return halved(range(variables, context, at));
 }
 
-Proposition Stating::holds(const Formula& f, Relation relation, const Context& context,
+Proposition Stating::holds(const Formula& stated, Relation relation, const Context& context,
                            const Expression& at, const std::string& about) {
-  guard_roots(f, context, at);
-  Range range = this->range(symbolic::variables(f), context, at);
+  guard_roots(stated, context, at);
+  Range range = this->range(symbolic::variables(stated), context, at);
+  Formula f = stated;
+  if (!range.domain.where.empty()) simplify(f, range);
   if (relation == Relation::zero && range.domain.where.empty()) {
     if (f.is_polynomial()) return symbolic::atom(symbolic::Zero{f}, about);
     // A polynomial in a line's variable is 0 everywhere when it is on [0, 1].

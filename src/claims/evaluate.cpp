@@ -100,19 +100,8 @@ Value Evaluator::evaluate(const Expression& e, const Scope& scope) {
       case Kind::list:
       case Kind::range:
         return list(e, scope);
-      case Kind::matrix: {
-        MatrixValue matrix;
-        for (const Expression& row : e.children) {
-          matrix.rows.emplace_back();
-          for (const Expression& entry : row.children)
-            matrix.rows.back().push_back(scalar(entry, scope));
-          if (matrix.rows.back().size() != matrix.rows.front().size())
-            fail(row, "this row has " + std::to_string(matrix.rows.back().size()) +
-                          " entries, the first has " +
-                          std::to_string(matrix.rows.front().size()));
-        }
-        return {matrix};
-      }
+      case Kind::matrix:
+        return matrix(e, scope);
       case Kind::plane: {
         const Vector normal = as_vector(*this, evaluate(e.children[0], scope), e.children[0]);
         return {Plane{normal, scalar(e.children[1], scope)}};
@@ -139,6 +128,34 @@ Value Evaluator::evaluate(const Expression& e, const Scope& scope) {
   } catch (const symbolic::NumberLimit& error) {
     throw Unsupported(error.what());
   }
+}
+
+// Of numbers; of points it is a net, the list of its rows.
+Value Evaluator::matrix(const Expression& e, const Scope& scope) {
+  MatrixValue numbers_only;
+  List net;
+  for (const Expression& row : e.children) {
+    List points;
+    Vector entries;
+    for (const Expression& entry : row.children) {
+      Value value = evaluate(entry, scope);
+      if (value.as<Vector>())
+        points.items.push_back(std::move(value));
+      else
+        entries.push_back(as_scalar(*this, value, entry));
+    }
+    if (!points.items.empty() && !entries.empty())
+      fail(row, "a row of numbers and points", "a matrix has numbers, a net has points");
+    const List& first = net.items.empty() ? points : *net.items.front().as<List>();
+    if (points.items.size() != first.items.size() ||
+        (!numbers_only.rows.empty() && entries.size() != numbers_only.rows.front().size()))
+      fail(row, "this row has " + std::to_string(row.children.size()) +
+                    " entries, the first has " + std::to_string(e.children[0].children.size()));
+    numbers_only.rows.push_back(std::move(entries));
+    net.items.push_back({std::move(points)});
+  }
+  if (net.items.front().as<List>()->items.empty()) return {numbers_only};
+  return {net};
 }
 
 Scalar Evaluator::scalar(const Expression& e, const Scope& scope) {

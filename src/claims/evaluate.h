@@ -121,6 +121,7 @@ class Evaluator {
   Value apply(const Value& callee, const Expression& at, const Scope&);
   Value index(const Expression&, const Scope&);
   Value list(const Expression&, const Scope&);
+  Value matrix(const Expression&, const Scope&);
   Value with_integers(const std::string& name, const Item&);
   Value net(const Expression&, const Scope&);
 

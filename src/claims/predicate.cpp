@@ -229,9 +229,8 @@ const std::map<std::string, Entry>& table() {
 }
 
 const std::set<std::string>& later() {
-  static const std::set<std::string> names = {
-      "pregeodesic", "developable",        "ruled",
-      "cylindrical", "partition_of_unity", "nonnegative"};
+  static const std::set<std::string> names = {"pregeodesic", "developable", "ruled",
+                                              "cylindrical"};
   return names;
 }
 
@@ -294,6 +293,7 @@ void collect_guards(const Proposition& p, Criterion::Failure failure,
 
 std::vector<std::string> predicate_names() {
   std::vector<std::string> names(later().begin(), later().end());
+  names.insert(names.end(), {"partition_of_unity", "nonnegative"});
   for (const auto& predicate : table()) names.push_back(predicate.first);
   return names;
 }
@@ -319,6 +319,13 @@ Proposition Stating::called(const Expression& e, const Scope& scope, const Conte
     for (std::size_t i = 0; i < given; ++i)
       inner.values[item.parameters[i]] = evaluator.evaluate(e.children[i + 1], scope);
     return state(item.expressions[0], inner, context, positive);
+  }
+
+  if (!bare && is_about_functions(e)) {
+    if (!positive && !context.empty())
+      throw Unsupported("this predicate negated for all values of a parameter");
+    Proposition p = about_functions(e, scope, context);
+    return positive ? p : symbolic::negation(std::move(p));
   }
 
   const auto entry = table().find(name);

@@ -83,7 +83,9 @@ Proposition Stating::alternatives(const std::vector<std::pair<const Expression*,
       if (excluded)
         narrowed.where.insert(narrowed.where.end(), excluded->begin(), excluded->end());
     }
-    if (convertible) return state(*parts[last].first, scope, narrowed, parts[last].second);
+    if (!convertible) continue;
+    if (auto broken = take_numbers(narrowed)) return *broken;
+    return state(*parts[last].first, scope, narrowed, parts[last].second);
   }
   throw Unsupported("this 'or' under 'for all' is not covered: no side is a plain comparison");
 }

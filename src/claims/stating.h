@@ -70,6 +70,11 @@ class Stating {
   // predicate.cpp
   Proposition called(const Expression&, const Scope&, const Context&, bool positive);
 
+  // blending.cpp
+  /// Predicates of lists of functions.
+  static bool is_about_functions(const Expression& call);
+  Proposition about_functions(const Expression& call, const Scope&, const Context&);
+
   // extremum.cpp
   /// `part operation bound` everywhere; over triangles where `cut`.
   Proposition everywhere(const Expression&, const Extremum&, const std::string& operation,
@@ -97,6 +102,13 @@ class Stating {
   };
   Range range(const std::set<std::string>& variables, const Context&, const Expression& at);
   static std::vector<symbolic::Domain> halved(const Range&);
+  /// The same points with fewer variables and conditions, where equations and bounds of `lines`
+  /// allow it. (lines.cpp)
+  void simplify(Formula&, Range&) const;
+  /// Takes conditions about numbers out of the context, each with a guard that it holds; or says
+  /// that one fails: then there is no point to speak of.
+  std::optional<Proposition> take_numbers(Context&);
+  Proposition continuous(const Expression& call, const Scope&, const Context&);
   Proposition compare(const Expression&, const Value& a, const std::string& operation,
                       const Value& b, const Context&, bool positive);
   Proposition compare_extremum(const Expression&, const Extremum&, const std::string& operation,

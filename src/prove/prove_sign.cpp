@@ -41,6 +41,8 @@ class SignProof {
     Proof proof = is_plain ? by_subdivision(relation) : by_derivation(relation);
     if (!std::holds_alternative<Nothing>(proof)) return proof;
     if (is_plain && !where_.empty()) proof = by_derivation(relation);
+    if (is_plain && where_.empty())
+      if (auto point = at_a_sample(relation)) return certificate::Witness{*point, {}};
     if (has_equation && functions_.empty()) proof = by_subdivision(relation);
     return proof;
   }
@@ -58,6 +60,11 @@ class SignProof {
     Derivation derivation(workshop_, make_region(workshop_, factors_, where_, functions_));
     auto shown = derivation.combine(f(), relation);
     return shown ? std::optional(of(std::move(*shown))) : std::nullopt;
+  }
+
+  std::optional<certificate::Point> at_a_sample(Relation relation) {
+    Derivation derivation(workshop_, make_region(workshop_, factors_, where_, functions_));
+    return derivation.refute(f(), relation);
   }
 
   Proof by_derivation(Relation relation) {
