@@ -125,7 +125,8 @@ std::optional<Proposition> Stating::take_numbers(Context& context) {
   std::optional<Proposition> broken;
   std::erase_if(context.where, [&](const Constraint& c) {
     if (broken || !c.formula.is_polynomial() || !symbolic::is_number(c.formula)) return false;
-    Proposition met = symbolic::atom(symbolic::Sign{c.formula, c.relation, {}}, "the condition");
+    Proposition met =
+        symbolic::atom(symbolic::Sign{c.formula, c.relation, {}}, "the condition");
     if (!meets(evaluator.numbers.sign(c.formula), c.relation))
       broken = symbolic::negation(std::move(met));
     else

@@ -105,8 +105,8 @@ class Stating {
   /// The same points with fewer variables and conditions, where equations and bounds of `lines`
   /// allow it. (lines.cpp)
   void simplify(Formula&, Range&) const;
-  /// Takes conditions about numbers out of the context, each with a guard that it holds; or says
-  /// that one fails: then there is no point to speak of.
+  /// Takes conditions about numbers out of the context, each with a guard that it holds; or
+  /// says that one fails: then there is no point to speak of.
   std::optional<Proposition> take_numbers(Context&);
   Proposition continuous(const Expression& call, const Scope&, const Context&);
   Proposition compare(const Expression&, const Value& a, const std::string& operation,
