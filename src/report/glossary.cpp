@@ -38,11 +38,23 @@ const std::vector<GlossaryEntry> entries = {
      "second "
      "begins."},
     {"closed",
-     "Every edge of every patch lies on exactly one seam, and the surface is connected."},
+     "Every edge of every patch lies on exactly one seam, and the surface is connected. Of a "
+     "mesh: edges lead from each vertex to each other, and each edge is on exactly two faces."},
+    {"connected", "Edges lead from each vertex of the mesh to each other."},
+    {"manifold",
+     "Each edge of the mesh is on exactly two faces, and the faces round each vertex form one "
+     "cycle."},
+    {"orientable",
+     "The faces of the mesh can be turned so that the two at each edge pass it in opposite "
+     "senses."},
+    {"oriented", "The two faces at each edge of the mesh pass it in opposite senses."},
+    {"trivalent", "Three edges end in each vertex of the mesh."},
     {"convex",
      "The surface is closed and $G^1$, and its Gauss curvature is positive everywhere: it "
      "bounds "
-     "a convex body."},
+     "a convex body. Of a mesh: it is the boundary of a convex polyhedron that has its "
+     "vertices "
+     "and its faces."},
     {"interpolates",
      "Every one of the points is a corner of a patch or the image of an exact parameter."},
     {"similar", "An exact similarity carries one onto the other."},
@@ -56,7 +68,7 @@ const std::vector<GlossaryEntry> entries = {
     {"developable", "The Gauss curvature is identically zero."},
     {"ruled", "The patch is linear in one of its parameters."},
     {"cylindrical", "The patch is ruled, and its rulings are parallel."},
-    {"planar", "All points lie in one plane."},
+    {"planar", "All points lie in one plane. Of a mesh: the corners of each face do."},
     {"partition_of_unity", "The functions add up to 1 identically."},
     {"nonnegative", "None of the functions is negative anywhere on the domain."},
     {"minimax",
