@@ -128,8 +128,11 @@ std::optional<Value> sum_to_parameter(Evaluator& evaluator, const Expression& ea
     inner.values[name] = {i};
     return evaluator.scalar(each.children[0], inner);
   };
+  // The general term says which sum it is.
   const std::string symbol = evaluator.bind(name);
+  evaluator.integers.general[symbol] = {low, true};
   const Scalar general = term(Scalar(Formula::symbol(symbol)));
+  evaluator.integers.general.erase(symbol);
   evaluator.release(symbol);
   const std::string key = symbolic::text(general.numerator, max_key) + " / " +
                           symbolic::text(general.denominator, max_key);
