@@ -57,6 +57,12 @@ class Terms {
 
   void operator()(const Generator& generator) const {
     demand(!generator.name.empty(), "a number without a name");
+    if (generator.function != Elementary::none) {
+      demand(generator.polynomial == 0 && generator.low.empty() && generator.high.empty(),
+             "a number of two kinds");
+      if (generator.function != Elementary::pi) demand_term(generator.argument);
+      return;
+    }
     demand_term(generator.polynomial);
     demand(is_rational(generator.low) && is_rational(generator.high),
            "the ends of an interval are not rational");
@@ -64,8 +70,9 @@ class Terms {
 
   void operator()(const Function& function) const {
     demand(!function.name.empty(), "a function without a name");
-    demand_term(function.radicand);
-    demand(function.degree >= 2, "a root of a degree below 2");
+    demand_term(function.operand);
+    demand(function.elementary != Elementary::pi, "a number among the functions");
+    demand(!function.is_root() || function.degree >= 2, "a root of a degree below 2");
   }
 
   void operator()(const Zero& zero) const { demand_term(zero.formula); }

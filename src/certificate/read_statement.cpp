@@ -23,7 +23,25 @@ Node read_node(const Reader& in) {
   return {Node::Kind::power, {}, {power[0]}, power[1]};
 }
 
+namespace {
+
+Elementary read_elementary(const Reader& in) {
+  return read_spelling(in, std::array{Elementary::exp, Elementary::log, Elementary::sin,
+                                      Elementary::cos, Elementary::pi});
+}
+
+}  // namespace
+
 Generator read_generator(const Reader& in) {
+  if (in.has("function")) {
+    const Elementary function = read_elementary(in["function"]);
+    if (function == Elementary::pi) {
+      in.members({"name", "function"});
+      return {in["name"].text(), 0, {}, {}, function, 0};
+    }
+    in.members({"name", "function", "argument"});
+    return {in["name"].text(), 0, {}, {}, function, in["argument"].integer()};
+  }
   in.members({"name", "polynomial", "low", "high"});
   return {in["name"].text(), in["polynomial"].integer(), in["low"].text(), in["high"].text()};
 }
@@ -31,6 +49,10 @@ Generator read_generator(const Reader& in) {
 namespace {
 
 Function read_function(const Reader& in) {
+  if (in.has("function")) {
+    in.members({"name", "function", "argument"});
+    return {in["name"].text(), in["argument"].integer(), 0, read_elementary(in["function"])};
+  }
   in.members({"name", "radicand", "degree"});
   return {in["name"].text(), in["radicand"].integer(), in["degree"].integer()};
 }

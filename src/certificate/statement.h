@@ -23,24 +23,35 @@ struct Node {
   bool operator==(const Node&) const = default;
 };
 
-/// A real algebraic number: the one root, within [low, high], of a polynomial in
+/// `pi` is a number; the others are functions of one operand, `log` where it is positive.
+enum class Elementary { none, exp, log, sin, cos, pi };
+
+/// A real number: the one root, within [low, high], of a polynomial in
 /// the symbol `name` whose coefficients are formulas in earlier generators.
 /// `low` and `high` are rationals. Uniqueness is for the checker to verify.
+/// With a `function`: its value at `argument`, a formula in earlier generators, instead.
 struct Generator {
   std::string name;
   Term polynomial = 0;
   std::string low, high;
+  Elementary function = Elementary::none;
+  Term argument = 0;  ///< of a function other than pi
 
   bool operator==(const Generator&) const = default;
 };
 
-/// A root of a function. `name` is, at each point where `radicand` is >= 0, its root
+/// A root of a function. `name` is, at each point where the operand is >= 0, its root
 /// >= 0 of this degree; elsewhere it has no value, and an obligation that holds it says
-/// nothing. The radicand is a formula in generators, variables and earlier functions.
+/// nothing. The operand is a formula in generators, variables and earlier functions.
+/// With an `elementary` function (not pi): the value of that, instead; of log where the operand
+/// is > 0.
 struct Function {
   std::string name;
-  Term radicand = 0;
+  Term operand = 0;
   int degree = 2;  ///< >= 2
+  Elementary elementary = Elementary::none;
+
+  bool is_root() const { return elementary == Elementary::none; }
 
   bool operator==(const Function&) const = default;
 };

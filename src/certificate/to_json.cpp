@@ -49,6 +49,12 @@ Json to_json(const Node& node) {
 }
 
 Json to_json(const Generator& generator) {
+  if (generator.function == Elementary::pi)
+    return {{"name", generator.name}, {"function", spelling(generator.function)}};
+  if (generator.function != Elementary::none)
+    return {{"name", generator.name},
+            {"function", spelling(generator.function)},
+            {"argument", generator.argument}};
   return {{"name", generator.name},
           {"polynomial", generator.polynomial},
           {"low", generator.low},
@@ -56,8 +62,11 @@ Json to_json(const Generator& generator) {
 }
 
 Json to_json(const Function& function) {
-  return {
-      {"name", function.name}, {"radicand", function.radicand}, {"degree", function.degree}};
+  if (!function.is_root())
+    return {{"name", function.name},
+            {"function", spelling(function.elementary)},
+            {"argument", function.operand}};
+  return {{"name", function.name}, {"radicand", function.operand}, {"degree", function.degree}};
 }
 
 Json to_json(const Simplex& simplex) {
@@ -323,45 +332,6 @@ Json to_json(const Evidence& evidence) {
 }
 
 }  // namespace
-
-const char* spelling(Relation relation) {
-  switch (relation) {
-    case Relation::positive:
-      return ">";
-    case Relation::nonnegative:
-      return ">=";
-    case Relation::zero:
-      return "=";
-    case Relation::nonzero:
-      return "!=";
-    case Relation::nonpositive:
-      return "<=";
-    case Relation::negative:
-      return "<";
-  }
-  throw FormatError("a relation of no kind");
-}
-
-const char* spelling(Mesh::Property property) {
-  static constexpr std::array names = {"counts",    "face_sizes", "valences", "valence",
-                                       "connected", "closed",     "manifold", "orientable",
-                                       "oriented",  "planar",     "convex"};
-  return names.at(static_cast<std::size_t>(property));
-}
-
-const char* spelling(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::proven:
-      return "proven";
-    case Verdict::refuted:
-      return "refuted";
-    case Verdict::conditional:
-      return "conditional";
-    case Verdict::undecided:
-      return "undecided";
-  }
-  throw FormatError("a verdict of no kind");
-}
 
 Json to_json(const Statement& statement) {
   Json value = {{"generators", list(statement.generators)}};

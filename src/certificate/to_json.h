@@ -13,6 +13,8 @@ Json to_json(const Certificate&);
 const char* spelling(Relation);
 /// The spelling of a property of a mesh: its name.
 const char* spelling(Mesh::Property);
+/// The spelling of a function: its name.
+const char* spelling(Elementary);
 /// The spelling of a verdict: its name.
 const char* spelling(Verdict);
 

@@ -8,7 +8,8 @@
 // statement into a number of its own choice.
 //
 // A function f stands where it has a value for its root, so that f^degree may be replaced by
-// its radicand. A radicand holds earlier functions alone: rewriting ends.
+// its operand; of sin(a) the square may be replaced by 1 - cos(a)^2, if that cosine comes
+// before. An operand holds earlier functions alone: rewriting ends.
 
 namespace seam::check {
 namespace {
@@ -97,18 +98,36 @@ void Context::name_symbols() {
 void Context::accept_generators() {
   for (const auto* generators : {&statement_->generators, &evidence_->generators})
     for (const Generator& generator : *generators)
-      tower_.extend(value(generator.polynomial), rational(generator.low),
-                    rational(generator.high));
+      if (generator.function == certificate::Elementary::none)
+        tower_.extend(value(generator.polynomial), rational(generator.low),
+                      rational(generator.high));
+      else if (generator.function == certificate::Elementary::pi)
+        tower_.extend(generator.function, constant(0));
+      else
+        tower_.extend(generator.function, value(generator.argument));
 }
 
 void Context::accept_functions() {
   for (const Function& function : statement_->functions) {
-    const int index = first_function_ + static_cast<int>(radicands_.size());
-    const std::set<int> held = functions({function.radicand});
+    const int index = first_function_ + static_cast<int>(operands_.size());
+    const std::set<int> held = functions({function.operand});
     demand(held.empty() || *held.rbegin() < index,
            "degenerate: a radicand holds its own function or a later one");
-    radicands_.push_back(value(function.radicand));
-    ring_.add_rule(index, ring_.difference(symbol(index, function.degree), radicands_.back()));
+    operands_.push_back(value(function.operand));
+    if (function.is_root())
+      ring_.add_rule(index, ring_.difference(symbol(index, function.degree), operands_.back()));
+    if (function.elementary == certificate::Elementary::sin) add_cosine(index);
+  }
+}
+
+void Context::add_cosine(int sine) {
+  for (int i = first_function_; i < sine; ++i) {
+    const bool is_cosine = function(i).elementary == certificate::Elementary::cos;
+    if (!is_cosine || !ring_.difference(operand(i), operand(sine)).is_zero()) continue;
+    cosines_.emplace(sine, i);
+    const Polynomial circle = ring_.sum(symbol(sine, 2), ring_.power(symbol(i), 2));
+    ring_.add_rule(sine, ring_.difference(circle, constant(1)));
+    return;
   }
 }
 
@@ -126,7 +145,8 @@ std::set<int> Context::functions(std::vector<Term> terms) const {
     terms.insert(terms.end(), operands.begin(), operands.end());
     if (kind != Node::Kind::symbol || symbols_.at(text) < first_function_) continue;
     found.insert(symbols_.at(text));
-    terms.push_back(function(symbols_.at(text)).radicand);
+    if (const auto other = cosine(symbols_.at(text))) found.insert(*other);
+    terms.push_back(function(symbols_.at(text)).operand);
   }
   return found;
 }
@@ -135,12 +155,13 @@ const Function& Context::function(int index) const {
   return statement_->functions[static_cast<std::size_t>(index - first_function_)];
 }
 
-int Context::degree(int function) const {
-  return this->function(function).degree;
+const Polynomial& Context::operand(int function) const {
+  return operands_[static_cast<std::size_t>(function - first_function_)];
 }
 
-const Polynomial& Context::radicand(int function) const {
-  return radicands_[static_cast<std::size_t>(function - first_function_)];
+std::optional<int> Context::cosine(int function) const {
+  const auto found = cosines_.find(function);
+  return found == cosines_.end() ? std::nullopt : std::optional(found->second);
 }
 
 const Node& Context::node(Term term) const {

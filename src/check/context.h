@@ -16,7 +16,8 @@ namespace seam::check {
 /// Symbols are numbered: generators of the statement, those of the evidence, variables,
 /// functions. Every value is in normal form also with respect to
 ///     function^degree = radicand,
-/// and so stands for the term wherever the functions in it have a value.
+/// of sin(a)^2 = 1 - cos(a)^2, and so stands for the term wherever the functions in it have a
+/// value.
 /// Requires that neither has a `certificate::fault`; keeps references to both.
 class Context {
  public:
@@ -37,10 +38,13 @@ class Context {
   Polynomial number(certificate::Term);
   Polynomial rational(const std::string& text) { return parse_rational(text, *meter_); }
 
-  /// The functions that stand in these terms, and in the radicands of such.
+  /// The functions that stand in these terms, and in the operands of such; with a sine the
+  /// cosine that its rule brings in.
   std::set<int> functions(std::vector<certificate::Term>) const;
-  int degree(int function) const;
-  const Polynomial& radicand(int function) const;
+  const certificate::Function& function(int index) const;
+  const Polynomial& operand(int function) const;
+  /// Of the same operand, if the function is a sine that has a rule.
+  std::optional<int> cosine(int function) const;
 
   /// The symbol of a variable or a function. Throws `Open` if the name is none.
   int variable(const std::string& name) const;
@@ -52,10 +56,10 @@ class Context {
 
  private:
   const certificate::Node& node(certificate::Term) const;
-  const certificate::Function& function(int index) const;
   void name_symbols();
   void accept_generators();
   void accept_functions();
+  void add_cosine(int sine);
   Polynomial evaluated(const certificate::Node&);
 
   const certificate::Statement* statement_;
@@ -66,7 +70,8 @@ class Context {
   std::map<std::string, int> symbols_;
   int generators_ = 0;
   int first_function_ = 0;
-  std::vector<Polynomial> radicands_;
+  std::vector<Polynomial> operands_;
+  std::map<int, int> cosines_;
   std::vector<std::optional<Polynomial>> known_;
   std::size_t known_words_ = 0;
 };

@@ -65,10 +65,16 @@ bool refutes(Context& context, const Stated& stated, const Witness& witness) {
 
 bool decide(Context& context, const Sign& obligation, const certificate::Proof& proof) {
   const Stated stated = read(context, obligation);
-  const Region region = with_functions(context, stated.domain, stated.functions);
-  demand(context.depends_only_on(stated.formula, variables(region)),
-         "degenerate: a variable outside the domain");
+  std::set<int> held = variables(stated.domain);
+  held.insert(stated.functions.begin(), stated.functions.end());
+  bool is_inside = context.depends_only_on(stated.formula, held);
+  for (const int function : stated.functions)
+    is_inside = is_inside && context.depends_only_on(context.operand(function), held);
+  demand(is_inside, "degenerate: a variable outside the domain");
   const auto by = [&](const certificate::SignProof& shown) {
+    const Region region = with_functions(context, stated.domain, stated.functions);
+    demand(context.depends_only_on(stated.formula, variables(region)),
+           "a logarithm has no coordinate");
     verify(context, region, stated.formula, stated.relation, shown);
     return true;
   };

@@ -20,13 +20,15 @@ bool decide(Context& context, const certificate::Zero& zero, const certificate::
   }
   demand(std::holds_alternative<certificate::Computation>(proof),
          "evidence of a kind that says nothing of an identity");
-  bool all_zero = true;
+  bool all_zero = true, all_seen = true;
   for (const auto& [monomial, coefficient] :
        by_monomial(formula, context.tower().size(), context.meter())) {
     const auto sign = context.tower().find_sign(coefficient);
     if (sign && *sign != 0 && functions.empty()) return false;
     all_zero = all_zero && sign == 0;
+    all_seen = all_seen && sign.has_value();
   }
+  demand(all_seen, "effort: the normal form is not 0, nor seen to be different from 0");
   demand(all_zero, "the normal form is not 0, nor seen to be different from 0");
   return true;
 }

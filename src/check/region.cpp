@@ -20,6 +20,8 @@
 namespace seam::check {
 namespace {
 
+using certificate::Elementary;
+
 constexpr std::size_t most_corners = 12;  // a determinant takes 2^corners minors
 
 int degree_in(const Monomial& monomial, const std::vector<int>& variables) {
@@ -124,14 +126,29 @@ Region with_functions(Context& context, Region region, const std::set<int>& func
   for (const Factor& factor : region.factors) next += static_cast<int>(factor.corners.size());
   for (const int function : functions) {
     const Polynomial nil = constant(0), one = constant(1);
-    region.factors.push_back(
-        make_factor(context, {function}, {{one, nil}, {nil, one}}, {false, false}, next));
-    next += 2;
-    demand(context.depends_only_on(context.radicand(function), variables(region)),
+    const certificate::Function& stated = context.function(function);
+    const bool is_turn =
+        stated.elementary == Elementary::cos || stated.elementary == Elementary::sin;
+    demand(context.depends_only_on(context.operand(function), variables(region)),
            "degenerate: a variable outside the domain");
-    const Polynomial power = symbol(function, context.degree(function));
-    region.where.push_back({context.ring().difference(power, context.radicand(function)),
-                            certificate::Relation::zero});
+    if (stated.elementary == Elementary::log) continue;
+    if (is_turn)
+      region.factors.push_back(make_factor(
+          context, {function}, {{one, constant(-1)}, {one, one}}, {false, false}, next));
+    else
+      region.factors.push_back(make_factor(context, {function}, {{one, nil}, {nil, one}},
+                                           {false, !stated.is_root()}, next));
+    next += 2;
+    if (stated.is_root())
+      region.where.push_back({context.ring().difference(symbol(function, stated.degree),
+                                                        context.operand(function)),
+                              certificate::Relation::zero});
+    if (const auto cosine = context.cosine(function)) {
+      Polynomial circle = symbol(function, 2);
+      add(circle, symbol(*cosine, 2), context.meter());
+      add(circle, constant(-1), context.meter());
+      region.where.push_back({std::move(circle), certificate::Relation::zero});
+    }
   }
   return region;
 }

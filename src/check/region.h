@@ -40,9 +40,10 @@ Factor make_factor(Context&, std::vector<int> variables, std::vector<Coordinates
 /// Throws `Open` if this is no domain: see `certificate::Domain`. Conditions may hold these
 /// functions beside variables.
 Region make_region(Context&, const certificate::Domain&, const std::set<int>& functions = {});
-/// The region with these functions as further coordinates, each in a factor [0, infinity),
-/// and with the conditions function^degree - radicand = 0, which stand as they are: not
-/// reduced.
+/// The region with these functions as further coordinates, each in a factor: a root in
+/// [0, infinity), with the condition function^degree - operand = 0; exp in (0, infinity); sin
+/// and cos in [-1, 1], with sin^2 + cos^2 - 1 = 0 for a sine that has its cosine. Conditions
+/// stand as they are: not reduced. A log has no coordinate.
 Region with_functions(Context&, Region, const std::set<int>& functions);
 std::set<int> variables(const Region&);
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <utility>
 
+#include "check/elementary.h"
+
 // Why an accepted generator is one number.
 //
 //   The polynomial f has strict and opposite signs at low and high: there is a root in
@@ -18,11 +20,16 @@
 //   For the root r and any m in X, f(m) = f'(s) (m - r) for some s in X, so r lies in
 //   m - f(m) / f'(X) if f'(X) does not hold 0.
 //
+// Values of elementary functions have no rule: a normal form 0 still means 0, whatever else may
+// be true of them. But sin(a)^2 = 1 - cos(a)^2 is a rule, where cos(a) comes before sin(a).
+//
 // Why it ends. Each round of `isolate` halves the widest part, down to one unit; each
 // step of Newton halves the width or is the last; there are four precisions.
 
 namespace seam::check {
 namespace {
+
+using certificate::Elementary;
 
 constexpr std::array<int, 4> precisions = {64, 256, 1024, 4096};
 constexpr std::array<int, 3> isolating_precisions = {64, 256, 1024};
@@ -94,6 +101,44 @@ void Tower::extend(const Polynomial& polynomial, const Polynomial& low,
   throw Open("degenerate: an interval was not seen to hold one simple root alone");
 }
 
+void Tower::extend(Elementary function, const Polynomial& argument) {
+  const int index = size();
+  demand(argument.is_within(index), "degenerate: a number is defined by a later one");
+  Generator generator{{}, {}, 0, function, ring_->reduce(argument)};
+  if (function == Elementary::log) {
+    demand(sign(argument) > 0, "degenerate: a logarithm of a number that is not positive");
+    const auto is_seen = [&](int bits) { return enclose(generator.argument, bits).low > 0; };
+    generator.start_bits = *std::ranges::find_if(precisions, is_seen);
+  }
+  if (function == Elementary::sin)
+    for (int i = 0; i < index; ++i)
+      if (const Generator& other = generators_[static_cast<std::size_t>(i)];
+          other.function == Elementary::cos &&
+          ring_->difference(other.argument, generator.argument).is_zero()) {
+        Polynomial circle = ring_->sum(symbol(index, 2), constant(-1));
+        ring_->add_rule(index, ring_->sum(std::move(circle), ring_->power(symbol(i), 2)));
+        break;
+      }
+  generators_.push_back(std::move(generator));
+}
+
+bool Tower::is_value(Elementary function, const Polynomial& argument, const Polynomial& value) {
+  const auto equal = [this](const Polynomial& a, const Polynomial& b) {
+    return find_sign(ring_->difference(a, b)) == 0;
+  };
+  const Polynomial nil = constant(0), one = constant(1);
+  const bool is_log = function == Elementary::log;
+  if (equal(argument, is_log ? one : nil))
+    return equal(value, is_log || function == Elementary::sin ? nil : one);
+  for (int i = 0; i < size(); ++i) {
+    const Generator& known = generators_[static_cast<std::size_t>(i)];
+    if (known.function == function && equal(known.argument, argument) &&
+        equal(value, symbol(i)))
+      return true;
+  }
+  return false;
+}
+
 std::optional<int> Tower::find_sign(const Polynomial& number) {
   const Polynomial reduced = ring_->reduce(number);
   demand(reduced.is_within(size()), "malformed: a variable where a number is needed");
@@ -108,7 +153,7 @@ std::optional<int> Tower::find_sign(const Polynomial& number) {
 
 int Tower::sign(const Polynomial& number) {
   const auto found = find_sign(number);
-  demand(found.has_value(), "a sign could not be decided");
+  demand(found.has_value(), "effort: a sign could not be decided");
   return *found;
 }
 
@@ -166,7 +211,18 @@ std::optional<Interval> Tower::isolate(const Coefficients& polynomial, const Int
   return std::nullopt;
 }
 
+Interval Tower::value(Elementary function, const Polynomial& argument, int bits) {
+  const Interval numerator = enclose(argument, bits);
+  const Interval x{floor_quotient(numerator.low, argument.denominator),
+                   ceiling_quotient(numerator.high, argument.denominator)};
+  return elementary(function, x, bits, ring_->meter());
+}
+
 Interval Tower::refined(const Generator& generator, int bits) {
+  if (generator.function != Elementary::none) {
+    const int fine = std::max(bits, generator.start_bits);
+    return rescaled(value(generator.function, generator.argument, fine), fine, bits);
+  }
   const Coefficients polynomial = enclose(generator.coefficients, bits);
   const Coefficients slope = derivative(polynomial);
   Interval x = rescaled(generator.start, generator.start_bits, bits);

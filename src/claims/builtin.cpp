@@ -6,11 +6,11 @@
 namespace seam::claims {
 namespace {
 
-std::array<const Builtins*, 10> tables() {
-  return {&number_builtins(), &function_builtins(), &coefficient_builtins(),
-          &vector_builtins(), &patch_builtins(),    &solid_builtins(),
-          &mesh_builtins(),   &extremum_builtins(), &minimax_builtins(),
-          &spline_builtins()};
+std::array<const Builtins*, 11> tables() {
+  return {&number_builtins(),      &elementary_builtins(), &function_builtins(),
+          &coefficient_builtins(), &vector_builtins(),     &patch_builtins(),
+          &solid_builtins(),       &mesh_builtins(),       &extremum_builtins(),
+          &minimax_builtins(),     &spline_builtins()};
 }
 
 using Solid = geometry::Mesh (*)(Numbers&);
@@ -58,7 +58,7 @@ std::optional<Value> builtin(Evaluator& evaluator, const std::string& name,
 }
 
 std::vector<std::string> builtin_names() {
-  std::vector<std::string> names = {"triangle", "square", "simplex", "interior"};
+  std::vector<std::string> names = {"triangle", "square", "simplex", "interior", "pi"};
   for (const Builtins* table : tables())
     for (const auto& entry : *table) names.push_back(entry.first);
   for (const auto& entry : solids()) names.push_back(entry.first);
@@ -69,6 +69,7 @@ std::optional<Value> builtin_word(Evaluator& evaluator, const std::string& name)
   if (const auto found = solids().find(name); found != solids().end())
     return Value{found->second(evaluator.numbers)};
   if (name == "triangle") return Value{Region{}};
+  if (name == "pi") return Value{Scalar(evaluator.numbers.pi())};
   if (name == "square") return Value{Region{true, 2, false}};
   return std::nullopt;
 }

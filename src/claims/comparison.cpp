@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "claims/elementary.h"
 #include "claims/parameters.h"
 #include "symbolic/approximate.h"
 #include "symbolic/atoms.h"
@@ -46,6 +47,20 @@ Relation flipped(Relation relation) {
 bool touches(const Simplex& factor, const std::set<std::string>& variables) {
   return std::ranges::any_of(factor.variables,
                              [&](const auto& v) { return variables.contains(v); });
+}
+
+bool is_application(const Formula& f, const char* function) {
+  return f.kind() == Formula::Kind::applied && f.name() == function;
+}
+
+// Analytic everywhere: 0 on all of a set with inner points only if it is 0 everywhere.
+bool is_entire(const Formula& f) {
+  symbolic::Atoms atoms;
+  atoms.add(f);
+  return std::ranges::all_of(atoms.entries(), [](const symbolic::Atoms::Entry& entry) {
+    return is_application(entry.formula, "exp") || is_application(entry.formula, "sin") ||
+           is_application(entry.formula, "cos");
+  });
 }
 
 // The variables under the roots of a formula.
@@ -96,10 +111,14 @@ void Stating::guard_roots(const Formula& f, const Context& context, const Expres
   symbolic::Atoms atoms;
   atoms.add(f);
   for (const auto& entry : atoms.entries()) {
-    const Formula& radicand = entry.formula.operands()[0];
-    for (const symbolic::Domain& domain : domains(symbolic::variables(radicand), context, at))
-      guards.push_back(symbolic::atom(symbolic::Sign{radicand, Relation::nonnegative, domain},
-                                      "the radicand is not negative"));
+    const bool is_log = is_application(entry.formula, "log");
+    if (entry.formula.kind() != Formula::Kind::root && !is_log) continue;
+    const Formula& operand = entry.formula.operands()[0];
+    for (const symbolic::Domain& domain : domains(symbolic::variables(operand), context, at))
+      guards.push_back(symbolic::atom(
+          symbolic::Sign{operand, is_log ? Relation::positive : Relation::nonnegative, domain},
+          is_log ? "a logarithm is taken of what is positive"
+                 : "the radicand is not negative"));
   }
 }
 
@@ -132,7 +151,7 @@ Proposition Stating::holds(const Formula& stated, Relation relation, const Conte
   Formula f = stated;
   if (!range.domain.where.empty()) simplify(f, range);
   if (relation == Relation::zero && range.domain.where.empty()) {
-    if (f.is_polynomial()) return symbolic::atom(symbolic::Zero{f}, about);
+    if (is_entire(f)) return symbolic::atom(symbolic::Zero{f}, about);
     // A polynomial in a line's variable is 0 everywhere when it is on [0, 1].
     const std::set<std::string> inside = under_roots(f);
     std::erase_if(range.lines, [&](const std::string& line) {
@@ -205,7 +224,8 @@ std::optional<exact::Sign> Stating::guard_denominator(const Formula& denominator
   const symbolic::Factors all = symbolic::factors(denominator);
   bool negative = all.constant < 0;
   for (const auto& [factor, exponent] : all.powers) {
-    if (exponent % 2 == 0 || factor.kind() == Formula::Kind::root) continue;
+    if (exponent % 2 == 0 || factor.kind() == Formula::Kind::root || is_exponential(factor))
+      continue;
     const auto sign = guard_divisor(factor, context, at);
     if (!sign) return std::nullopt;
     negative ^= *sign == exact::Sign::negative;
@@ -213,8 +233,24 @@ std::optional<exact::Sign> Stating::guard_denominator(const Formula& denominator
   return negative ? exact::Sign::negative : exact::Sign::positive;
 }
 
+namespace {
+
+bool holds_exponential(const Scalar& x) {
+  for (const Formula* f : {&x.numerator, &x.denominator})
+    for (const auto& [factor, exponent] : symbolic::factors(*f).powers)
+      if (is_exponential(factor)) return true;
+  return false;
+}
+
+}  // namespace
+
 Constraint Stating::compared(const Scalar& a, const std::string& operation, const Scalar& b,
                              const Context& context, const Expression& at) {
+  // exp increases: exp(A) R exp(B) is A R B.
+  if (holds_exponential(a) || holds_exponential(b)) {
+    const auto left = exponent(a, evaluator.numbers), right = exponent(b, evaluator.numbers);
+    if (left && right) return related(*left - *right, relation_of(operation), context, at);
+  }
   return related(a - b, relation_of(operation), context, at);
 }
 

@@ -65,7 +65,11 @@ Scalar as_scalar(Evaluator& evaluator, const Value& value, const Expression& at)
 }
 
 Formula as_formula(Evaluator& evaluator, const Value& value, const Expression& at) {
-  return formula_of(as_scalar(evaluator, value, at));
+  const Scalar scalar = as_scalar(evaluator, value, at);
+  if (!scalar.denominator.is(1) && symbolic::is_number(scalar.numerator) &&
+      symbolic::is_number(scalar.denominator))
+    return scalar.numerator * evaluator.numbers.inverse(scalar.denominator);
+  return formula_of(scalar);
 }
 
 Formula as_number(Evaluator& evaluator, const Value& value, const Expression& at) {

@@ -6,8 +6,9 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "claims/angles.h"
+#include "claims/describe.h"
 #include "claims/evaluate.h"
-#include "claims/mesh_words.h"
 #include "exact/contract.h"
 #include "symbolic/atoms.h"
 
@@ -51,6 +52,8 @@ class Exporter {
     if (const auto found = terms_.find(f.identity()); found != terms_.end())
       return found->second;
     kept_.push_back(f);  // so that no other node can take its address
+    if (f.kind() == Formula::Kind::applied)
+      return terms_.emplace(f.identity(), applied(f)).first->second;
     Term result = 0;
     std::vector<Term> operands;
     if (f.kind() != Formula::Kind::known)
@@ -81,7 +84,6 @@ class Exporter {
         result = function(f, operands[0]);
         break;
       case Formula::Kind::applied:
-        throw Unsupported("the function '" + f.name() + "'");
       case Formula::Kind::inverse:
         throw exact::ContractError("exported: a quotient that was not cleared");
       case Formula::Kind::known:
@@ -100,6 +102,21 @@ class Exporter {
     const std::string& name = atoms_[f].name;
     if (atoms_.entries().size() > before)
       result_.statement.functions.push_back({name, radicand, f.exponent()});
+    return node(Node::Kind::symbol, name, {}, 0);
+  }
+
+  // A sine stands behind the cosine of the same operand.
+  Term applied(const Formula& f) {
+    const Formula fine = angles_.in_finest(f);
+    if (!fine.same(f)) return term(fine);
+    const Formula& operand = f.operands()[0];
+    if (f.name() == "sin") applied(Formula::applied("cos", {operand}));
+    const Term inside = term(operand);
+    const std::size_t before = atoms_.entries().size();
+    atoms_.add(f);
+    const std::string& name = atoms_[f].name;
+    if (atoms_.entries().size() > before)
+      result_.statement.functions.push_back({name, inside, 0, kind_of(f.name())});
     return node(Node::Kind::symbol, name, {}, 0);
   }
 
@@ -263,6 +280,7 @@ class Exporter {
   void gather(const Formula& f) {
     if (!gathered_.insert(f.identity()).second) return;
     if (f.kind() == Formula::Kind::symbol) names_.insert(f.name());
+    angles_.add(f);
     for (const Formula& operand : f.operands()) gather(operand);
     for (const Fact& fact : f.facts()) gather(fact.formula);
   }
@@ -314,52 +332,33 @@ class Exporter {
   }
 
   void add_generators() {
-    const auto& all = field_->generators;
-    for (auto generator = all.rbegin(); generator != all.rend(); ++generator)
-      if (used_.contains(generator->name))
-        used_.merge(symbolic::symbols(generator->polynomial));
-    for (const auto& generator : all)
-      if (used_.contains(generator.name))
-        result_.statement.generators.push_back({generator.name, term(generator.polynomial),
-                                                generator.low.get_str(),
-                                                generator.high.get_str()});
+    const auto& [roots, others] = std::tie(field_->generators, field_->transcendental);
+    for (auto number = others.rbegin(); number != others.rend(); ++number) {
+      if (!used_.contains(number->name)) continue;
+      used_.merge(symbolic::symbols(number->argument));
+      if (number->function == "sin") used_.insert("cos" + number->name.substr(3));
+    }
+    for (auto root = roots.rbegin(); root != roots.rend(); ++root)
+      if (used_.contains(root->name)) used_.merge(symbolic::symbols(root->polynomial));
+    for (const auto* numbers : {&roots, &others})
+      for (const auto& number : *numbers)
+        if (used_.contains(number.name)) add_generator(number);
   }
 
-  static std::string relation_text(certificate::Relation relation) {
-    static const char* const signs[] = {" > 0", " >= 0", " = 0", " != 0", " <= 0", " < 0"};
-    return signs[static_cast<int>(relation)];
+  void add_generator(const Numbers::Generator& number) {
+    const auto function = kind_of(number.function);
+    auto& all = result_.statement.generators;
+    if (function == certificate::Elementary::none)
+      all.push_back(
+          {number.name, term(number.polynomial), number.low.get_str(), number.high.get_str()});
+    else
+      all.push_back({number.name,
+                     0,
+                     {},
+                     {},
+                     function,
+                     number.function == "pi" ? 0 : term(number.argument)});
   }
-
-  static std::string short_text(const Formula& f) { return symbolic::text(f, 200); }
-
-  static std::string describe(const symbolic::Zero& z) {
-    return short_text(z.formula) + " = 0";
-  }
-  static std::string describe(const symbolic::Sign& s) {
-    return short_text(s.formula) + relation_text(s.relation);
-  }
-  static std::string describe(const symbolic::Solutions& s) {
-    return std::to_string(s.exact.size() + s.near.size()) + " solutions in " + s.unknown;
-  }
-  static std::string joined(const std::vector<std::string>& unknowns) {
-    std::string names;
-    for (const std::string& unknown : unknowns) names += (names.empty() ? "" : ", ") + unknown;
-    return names;
-  }
-  static std::string describe(const symbolic::OnlySolutions& s) {
-    return std::to_string(s.solutions.size()) + " solutions in " + joined(s.unknowns);
-  }
-  static std::string describe(const symbolic::OneSolution& s) {
-    return "one solution in " + joined(s.unknowns);
-  }
-  static std::string describe(const certificate::Gluing& g) {
-    return std::to_string(g.patches.size()) + " patches, " + std::to_string(g.seams.size()) +
-           " seams, closed and connected, Euler characteristic " + std::to_string(g.euler);
-  }
-  static std::string describe(const symbolic::Distinct& d) {
-    return std::to_string(d.tuples.size()) + " different items";
-  }
-  static std::string describe(const symbolic::Mesh& m) { return describe_mesh(m); }
 
   const Numbers& numbers_;
   const Numbers::Field* field_ = nullptr;
@@ -371,6 +370,7 @@ class Exporter {
   std::vector<Formula> kept_;
   std::vector<Fact> facts_;
   symbolic::Atoms atoms_;
+  Angles angles_;
   std::set<std::string> used_;
   std::map<std::size_t, std::vector<int>> buckets_;
 };

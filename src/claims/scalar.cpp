@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <unordered_map>
 
+#include "claims/elementary.h"
 #include "symbolic/denominator.h"
 
 // Divisors and radicands only ever accumulate: an operation has those of its operands, and
@@ -78,6 +79,12 @@ Scalar divide(const Scalar& a, const Scalar& b, Numbers& numbers) {
     if (divisor.is_constant() && divisor.value() == 0) throw DivisionByZero();
     if (!divisor.is_constant() && numbers.sign(divisor) == exact::Sign::zero)
       throw DivisionByZero();
+    if (!numbers.is_algebraic(divisor)) {
+      Scalar result = resting(
+          over(a.numerator * b.denominator, merged_product(a.denominator, divisor)), a, b);
+      add(result.divisors, divisor);
+      return result;
+    }
     const Formula inverse =
         divisor.is_constant() ? symbolic::inverse(divisor) : numbers.inverse(divisor);
     return resting(over(a.numerator * b.denominator * inverse, a.denominator), a, b);
@@ -91,7 +98,7 @@ Scalar divide(const Scalar& a, const Scalar& b, Numbers& numbers) {
       number = number * symbolic::power(numbers.inverse(factor), exponent);
     } else {
       below.powers.emplace_back(factor, exponent);
-      divisors.push_back(factor);
+      if (!is_exponential(factor)) divisors.push_back(factor);
     }
   }
   Scalar result = resting(
@@ -116,7 +123,8 @@ namespace {
 bool is_size(const Formula& f) {
   const Factors all = factors(f);
   return all.constant >= 0 && std::ranges::all_of(all.powers, [](const auto& p) {
-           return p.second % 2 == 0 || p.first.kind() == Formula::Kind::root;
+           return p.second % 2 == 0 || p.first.kind() == Formula::Kind::root ||
+                  is_exponential(p.first);
          });
 }
 
@@ -143,7 +151,10 @@ std::optional<Scalar> inside_absolute(const Scalar& x) {
 // The root of n/d is that of n * rest, over |d * rest| taken once, where d * rest is an
 // n-th power.
 Scalar nth_root(const Scalar& x, int n, Numbers& numbers) {
-  if (!has_variables(x)) return resting(numbers.nth_root(x.numerator, n), x, x);
+  if (!has_variables(x)) {
+    const Formula below = x.denominator.is(1) ? Formula(1) : numbers.inverse(x.denominator);
+    return resting(numbers.nth_root(x.numerator * below, n), x, x);
+  }
   if (n % 2 == 1) throw symbolic::NumberLimit("an odd root of a function is not covered");
   Factors rest, below;
   for (const auto& [factor, exponent] : factors(x.denominator).powers) {
@@ -212,6 +223,8 @@ class Walk {
       case Formula::Kind::root:
         return nth_root(inner(), f.exponent(), numbers_);
       case Formula::Kind::applied: {
+        if (symbolic::is_elementary(f.name()) && !map_.empty())
+          return elementary(f.name(), inner(), numbers_);
         std::vector<Formula> operands;
         Scalar rest(0);
         for (const Formula& operand : f.operands()) {

@@ -17,8 +17,9 @@ using symbolic::Numbers;
 /// A real number or function as a quotient of formulas without inverses. It has a value only
 /// where none of `divisors` is 0 and none of `radicands` is negative: everything that was ever
 /// divided by, or taken an even root of, on the way and holds a variable, even where it cancels
-/// or is multiplied by 0. Quotients and roots of numbers are worked out at once (`Numbers`), so
-/// they leave neither.
+/// or is multiplied by 0. Quotients and roots of algebraic numbers are worked out at once
+/// (`Numbers`), so they leave neither. Elementary functions stand in the formulas as `applied`;
+/// an exponential is nowhere 0, so it may be divided by.
 struct Scalar {
   Formula numerator = 0;
   Formula denominator = 1;
@@ -26,7 +27,7 @@ struct Scalar {
 
   Scalar() = default;
   Scalar(long value) : numerator(value) {}
-  /// Requires a formula that is a polynomial as it stands; else see `scalar_of`.
+  /// Requires a formula without inverses, roots and logarithms; else see `scalar_of`.
   Scalar(Formula formula) : numerator(std::move(formula)) {}
 
   /// A polynomial that has a value everywhere.

@@ -228,6 +228,32 @@ std::string witness_of(const Statement& statement, const Evidence& evidence,
   return "sizes or shapes differ";
 }
 
+bool is_elementary(const Statement& statement) {
+  return std::ranges::any_of(statement.generators,
+                             [](const auto& number) {
+                               return number.function != certificate::Elementary::none;
+                             }) ||
+         !std::ranges::all_of(statement.functions, [](const auto& f) { return f.is_root(); });
+}
+
+// The prover works with numbers near transcendental ones. What it found and the checker did not
+// accept is taken back: it was a guess.
+bool withdraw_guesses(const Statement& statement, Evidence& evidence,
+                      const check::Judgement& judgement) {
+  if (!is_elementary(statement)) return false;
+  bool changed = false;
+  for (std::size_t i = 0; i < evidence.proofs.size(); ++i) {
+    if (judgement.findings[i].kind != check::Finding::Kind::open ||
+        std::holds_alternative<certificate::Nothing>(evidence.proofs[i]))
+      continue;
+    std::string reason = judgement.findings[i].reason;
+    if (reason.starts_with("effort: ")) reason.erase(0, 8);
+    evidence.proofs[i] = certificate::Nothing{"effort", reason};
+    changed = true;
+  }
+  return changed;
+}
+
 }  // namespace
 
 Decided decide(const claims::Lowered& lowered, const claims::Expression& statement,
@@ -244,7 +270,9 @@ Decided decide(const claims::Lowered& lowered, const claims::Expression& stateme
   const Statement& claimed = lowered.exported->statement;
   outcome.digest = certificate::digest(claimed);
   result.evidence = prove::prove(claimed, budget);
-  const check::Judgement judgement = check::judge(claimed, result.evidence);
+  check::Judgement judgement = check::judge(claimed, result.evidence);
+  if (withdraw_guesses(claimed, result.evidence, judgement))
+    judgement = check::judge(claimed, result.evidence);
   outcome.verdict = judgement.verdict;
 
   Formulas formulas(claimed, result.evidence);

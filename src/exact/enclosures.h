@@ -17,6 +17,9 @@ struct Tower::Enclosures {
 /// At least `precision` bits, relative to the root. The tower is not null.
 const Tower::Enclosures& enclosures(const TowerPtr&, long precision);
 
+/// The least interval that holds a ball. It is finite.
+Enclosure bounds(const flint::Arb&);
+
 /// The number in a ball, `precision` bits for the arithmetic.
 flint::Arb evaluate(const TowerPtr&, const Coordinates&, long precision);
 

@@ -200,22 +200,25 @@ Sign sign(const TowerPtr& tower, const Coordinates& number) {
   throw ContractError("sign: the tower is not a field");
 }
 
+Enclosure bounds(const Arb& ball) {
+  Fmpz low, high, exponent;
+  arb_get_interval_fmpz_2exp(low.it, high.it, exponent.it, ball.it);
+  const auto scaled = [&](const Fmpz& x) {
+    Rational result = flint::integer(x.it);
+    const long shift = fmpz_get_si(exponent.it);
+    if (shift >= 0)
+      mpq_mul_2exp(result.get_mpq_t(), result.get_mpq_t(), shift);
+    else
+      mpq_div_2exp(result.get_mpq_t(), result.get_mpq_t(), -shift);
+    return result;
+  };
+  return {scaled(low), scaled(high)};
+}
+
 Enclosure enclosure(const TowerPtr& tower, const Coordinates& number, long bits) {
   if (!tower) return {number[0], number[0]};
-  Fmpz low, high, exponent;
   for (long precision = bits + 32;; precision *= 2) {
-    const Arb value = evaluate(tower, number, precision);
-    arb_get_interval_fmpz_2exp(low.it, high.it, exponent.it, value.it);
-    const auto scaled = [&](const Fmpz& x) {
-      Rational result = flint::integer(x.it);
-      const long shift = fmpz_get_si(exponent.it);
-      if (shift >= 0)
-        mpq_mul_2exp(result.get_mpq_t(), result.get_mpq_t(), shift);
-      else
-        mpq_div_2exp(result.get_mpq_t(), result.get_mpq_t(), -shift);
-      return result;
-    };
-    Enclosure result{scaled(low), scaled(high)};
+    Enclosure result = bounds(evaluate(tower, number, precision));
     Rational allowed = std::max<Rational>(1, abs(result.low));
     mpq_div_2exp(allowed.get_mpq_t(), allowed.get_mpq_t(), bits);
     if (result.high - result.low <= allowed) return result;

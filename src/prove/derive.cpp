@@ -51,10 +51,7 @@ Derivation::Goal Derivation::weak(int side) {
 }
 
 Derivation::Derivation(Workshop& workshop, Region region)
-    : workshop_(workshop),
-      region_(std::move(region)),
-      given_(region_.where.size() - region_.functions.size()),
-      samples_(samples(workshop, region_)) {}
+    : workshop_(workshop), region_(std::move(region)), samples_(samples(workshop, region_)) {}
 
 Polynomial Derivation::now(const Polynomial& f) const {
   return workshop_.ring(f.ring().variables())->embed(f);
@@ -73,7 +70,9 @@ std::optional<Derivation::Linear> Derivation::linear(const Polynomial& old) {
   const int first = count - static_cast<int>(region_.functions.size());
   int v = count - 1;
   while (v >= first && f.degree(v) <= 0) --v;
-  if (v < first || region_.functions[v - first]->degree != 2) return std::nullopt;
+  if (v < first || !region_.functions[v - first]->is_root() ||
+      region_.functions[v - first]->degree != 2)
+    return std::nullopt;
   Linear result{f.ring().constant(0), f.ring().constant(0), f.ring().variable(v),
                 f.ring().constant(0)};
   for (const auto& [exponents, coefficient] : f.coefficients({v}))
@@ -94,6 +93,7 @@ bool Derivation::is_plausible(const Polynomial& f, Goal goal) const {
 }
 
 std::optional<SignProof> Derivation::show(const Polynomial& f, Relation relation) {
+  if (region_.holds_log()) return std::nullopt;
   switch (relation) {
     case Relation::positive:
     case Relation::nonnegative:

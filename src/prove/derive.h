@@ -73,7 +73,6 @@ class Derivation {
 
   Workshop& workshop_;
   Region region_;
-  std::size_t given_;  ///< conditions that are no cases, nor about functions
   std::vector<Sample> samples_;
   std::vector<Place> places_;  ///< where something that would be enough fails
 };

@@ -48,7 +48,7 @@ Equations read(Workshop& workshop, const OnlySolutions& stated) {
   result.functions = workshop.functions(terms);
   for (const auto* function : result.functions) names.push_back(function->name);
   for (const auto* function : result.functions)
-    result.radicands.push_back(workshop.expand(function->radicand, names));
+    result.radicands.push_back(workshop.expand(function->operand, names));
   const exact::RingPtr ring = workshop.ring(names);
   std::vector<std::string> all = stated.for_all;
   std::vector<int> bound;
@@ -217,6 +217,8 @@ class Search {
 
 Proof prove_only_solutions(Workshop& workshop, const OnlySolutions& stated) {
   const Equations equations = read(workshop, stated);
+  if (!std::ranges::all_of(equations.functions, [](const auto* f) { return f->is_root(); }))
+    return Nothing{"unsupported", "a system that holds elementary functions"};
   Search search(workshop, equations);
   bool refuted = false;
   Eliminator eliminator(workshop, equations,

@@ -68,11 +68,16 @@ class SignProof {
   }
 
   Proof by_derivation(Relation relation) {
+    if (f().is_zero() && holds(relation, Sign::zero)) return certificate::Computation{};
     Derivation derivation(workshop_, make_region(workshop_, factors_, where_, functions_));
     if (auto point = derivation.refute(f(), relation)) return certificate::Witness{*point, {}};
     if (auto shown = derivation.show(f(), relation)) return of(std::move(*shown));
     if (auto point = derivation.refute(f(), relation)) return certificate::Witness{*point, {}};
     if (workshop_.late()) return Nothing{"time", "the time given was over"};
+    if (std::ranges::any_of(functions_, [](const auto* function) {
+          return function->elementary == certificate::Elementary::log;
+        }))
+      return Nothing{"unsupported", "an inequality of a logarithm of a variable"};
     return Nothing{"effort",
                    "neither a proof by multipliers, cases and subdivision nor a "
                    "point was found"};

@@ -43,8 +43,11 @@ certificate::Proof prove_zero(Workshop& workshop, const certificate::Zero& zero)
   const auto functions = workshop.functions({zero.formula});
   std::vector<std::string> names(found.begin(), found.end());
   for (const auto* function : functions) names.push_back(function->name);
+  std::vector<std::string> all = names;
+  all.insert(all.end(), workshop.transcendental().begin(), workshop.transcendental().end());
+  if (workshop.expand(zero.formula, all).is_zero()) return certificate::Computation{};
   Polynomial f = workshop.expand(zero.formula, names);
-  if (f.is_zero()) return certificate::Computation{};
+  if (f.is_zero()) return certificate::Nothing{"effort", "a number that is not told from 0"};
   if (!functions.empty()) return refute_among_functions(workshop, names, functions, f);
   certificate::Witness witness;
   while (!names.empty()) {

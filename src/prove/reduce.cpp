@@ -52,7 +52,7 @@ Derivation::Shown Derivation::combination(const std::vector<Multiple>& multiples
 Derivation::Shown Derivation::by_equations(const Polynomial& f, Goal goal, int depth) {
   std::vector<Polynomial> equations;
   std::vector<int> origin;
-  for (std::size_t i = 0; i < given_; ++i)
+  for (std::size_t i = 0; i < region_.given; ++i)
     if (region_.where[i].relation == Relation::zero) {
       equations.push_back(now(region_.where[i].formula));
       origin.push_back(static_cast<int>(i));
@@ -140,7 +140,7 @@ Derivation::Shown Derivation::sum(const Linear& f, bool of_constant, Goal goal, 
 }
 
 std::optional<Derivation::Known> Derivation::known(const Polynomial& a, int side) const {
-  for (std::size_t i = given_ + region_.functions.size(); i < region_.where.size(); ++i)
+  for (std::size_t i = region_.known; i < region_.where.size(); ++i)
     for (const int scale : {1, -1}) {
       const int upward = holds(region_.where[i].relation, Sign::positive) ? 1 : -1;
       if (upward * scale != side) continue;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "prove/region.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "exact/contract.h"
@@ -36,20 +37,45 @@ std::vector<std::string> variables(const Factors& factors) {
 Region make_region(Workshop& workshop, Factors given,
                    const std::vector<certificate::Constraint>& where,
                    const std::vector<const certificate::Function*>& functions) {
+  using certificate::Elementary;
   Region region{std::move(given), {}, functions};
   const Polynomial nil = workshop.numbers()->constant(0), one = workshop.numbers()->constant(1);
   for (const auto* function : functions)
-    region.factors.push_back({{function->name}, {{one, nil}, {nil, one}}, {false, false}, 2U});
+    if (function->is_root() || function->elementary == Elementary::exp)
+      region.factors.push_back(
+          {{function->name}, {{one, nil}, {nil, one}}, {false, !function->is_root()}, 2U});
+    else
+      region.factors.push_back(
+          {{function->name}, {{one, -one}, {one, one}}, {false, false}, 0});
   const auto names = variables(region.factors);
   for (const auto& [formula, relation] : where)
     region.where.push_back({workshop.expand(formula, names), relation});
+  region.given = region.where.size();
   for (const auto* function : functions) {
-    const Polynomial root = *workshop.ring(names)->symbol(function->name);
-    region.where.push_back(
-        {root.pow(function->degree) - workshop.expand(function->radicand, names),
-         certificate::Relation::zero});
+    const Polynomial value = *workshop.ring(names)->symbol(function->name);
+    if (function->is_root())
+      region.where.push_back(
+          {value.pow(function->degree) - workshop.expand(function->operand, names),
+           certificate::Relation::zero});
+    if (const auto name = workshop.cosine(*function)) {
+      const Polynomial cosine = *workshop.ring(names)->symbol(*name);
+      region.where.push_back(
+          {value * value + cosine * cosine - workshop.ring(names)->constant(1),
+           certificate::Relation::zero});
+    }
   }
+  region.known = region.where.size();
   return region;
+}
+
+bool Region::holds_log() const {
+  return std::ranges::any_of(functions, [](const auto* function) {
+    return function->elementary == certificate::Elementary::log;
+  });
+}
+
+bool Region::is_elementary() const {
+  return !std::ranges::all_of(functions, [](const auto* f) { return f->is_root(); });
 }
 
 exact::RingPtr ring(const Workshop& workshop, const Region& region) {

@@ -32,12 +32,17 @@ struct Condition {
 };
 
 /// A domain cut by conditions, with a further coordinate for each function of an obligation: a
-/// factor [0, infinity) each, after those given; the condition that it is the root, after those
-/// given, not reduced; then whatever is supposed in a case.
+/// factor each, after those given; what is known of the functions, after the conditions given,
+/// not reduced; then whatever is supposed in a case. A logarithm has a factor too, which the
+/// checker does not have: points of the region may refute, nothing is shown on it.
 struct Region {
   Factors factors;
   std::vector<Condition> where;
   std::vector<const certificate::Function*> functions;
+  std::size_t given = 0;  ///< conditions
+  std::size_t known = 0;  ///< given, or of functions
+  bool holds_log() const;
+  bool is_elementary() const;  ///< one of the functions is no root
 };
 Region make_region(Workshop&, Factors given, const std::vector<certificate::Constraint>& where,
                    const std::vector<const certificate::Function*>&);

@@ -15,6 +15,7 @@
 
 namespace seam::prove {
 
+using certificate::Elementary;
 using exact::Integer;
 using exact::Polynomial;
 using exact::Rational;
@@ -132,14 +133,115 @@ std::optional<Polynomial> root(Workshop& workshop, const Polynomial& radicand, i
   return workshop.adjoin(f, exact::real_roots(f).back());
 }
 
+// Not finite where the function has no value.
+double about(const certificate::Function& function, double operand) {
+  switch (function.elementary) {
+    case Elementary::exp:
+      return std::exp(operand);
+    case Elementary::log:
+      return operand > tolerance ? std::log(operand) : std::nan("");
+    case Elementary::sin:
+      return std::sin(operand);
+    case Elementary::cos:
+      return std::cos(operand);
+    default:
+      return operand > -tolerance ? std::pow(std::max(0.0, operand), 1.0 / function.degree)
+                                  : std::nan("");
+  }
+}
+
+// Values at a point, in the order of the names: near what they are, if not exact.
+class Values {
+ public:
+  Values(Workshop& workshop, std::vector<std::string> names, bool is_near)
+      : workshop_(workshop), names_(std::move(names)), is_near_(is_near) {}
+
+  void add(const Polynomial& value) { values_.push_back({value, Elementary::none, value}); }
+
+  // Of the next function. Nothing is added where it has no value, or it takes a new number that
+  // may not be added.
+  bool add(const certificate::Function& function, bool may_adjoin) {
+    if (function.is_root()) {
+      const Polynomial operand = at(function.operand);
+      if (exact::sign(operand) == Sign::negative) return false;
+      const auto value = root(workshop_, operand, function.degree, may_adjoin);
+      if (value) add(*value);
+      return value.has_value();
+    }
+    const auto operand = exactly(function.operand);
+    if (!operand) return false;
+    const auto near = workshop_.near_value(function.elementary, *operand);
+    if (near) values_.push_back({*near, function.elementary, *operand});
+    return near.has_value();
+  }
+
+  Sign sign(const Polynomial& f) const {
+    const Polynomial value = place(f);
+    if (is_near_ && std::abs(exact::ball(value).middle) < negligible) return Sign::zero;
+    return exact::sign(value);
+  }
+
+  certificate::Point point() const {
+    certificate::Point result{names_, {}};
+    for (const auto& [near, function, operand] : values_)
+      result.values.push_back(function == Elementary::none
+                                  ? workshop_.write(near)
+                                  : workshop_.write(function, operand));
+    return result;
+  }
+
+ private:
+  struct Value {
+    Polynomial near;
+    Elementary function;  // none: `near` is the value
+    Polynomial operand;
+    bool is_exact() const {
+      return function == Elementary::none || Workshop::is_simple(function, operand);
+    }
+  };
+  static constexpr double negligible = 1e-25;
+
+  Polynomial place(const Polynomial& f) const {
+    const RingPtr numbers = workshop_.numbers();
+    std::vector<Polynomial> here;
+    for (const Value& value : values_) here.push_back(numbers->embed(value.near));
+    here.resize(names_.size(), numbers->constant(0));
+    return workshop_.ring(names_)->embed(f).substitute(numbers, here);
+  }
+  Polynomial at(certificate::Term term) const { return place(workshop_.expand(term, names_)); }
+
+  // In transcendental numbers; nothing if it holds a function of which only a number near it is
+  // known.
+  std::optional<Polynomial> exactly(certificate::Term term) const {
+    const auto& numbers = workshop_.transcendental();
+    std::vector<std::string> all = names_;
+    all.insert(all.end(), numbers.begin(), numbers.end());
+    const Polynomial f = workshop_.expand(term, all);
+    for (std::size_t i = 0; i < values_.size(); ++i)
+      if (!values_[i].is_exact() && f.degree(static_cast<int>(i)) > 0) return std::nullopt;
+    const RingPtr ring = workshop_.ring(numbers);
+    std::vector<Polynomial> here;
+    for (const Value& value : values_) here.push_back(ring->embed(value.near));
+    here.resize(names_.size(), ring->constant(0));
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      here.push_back(ring->variable(static_cast<int>(i)));
+    return f.substitute(ring, here);
+  }
+
+  Workshop& workshop_;
+  std::vector<std::string> names_;
+  bool is_near_;
+  std::vector<Value> values_;
+};
+
 }  // namespace
 
 std::vector<Sample> samples(Workshop& workshop, const Region& region) {
   using bernstein::Sketch;
   const RingPtr all = ring(workshop, region);
-  std::vector<Sketch> radicands, conditions;
+  std::vector<Sketch> operands, conditions;
   for (const auto* function : region.functions)
-    radicands.emplace_back(workshop.expand(function->radicand, all->variables()));
+    operands.emplace_back(workshop.expand(function->operand, all->variables()));
   for (const Condition& condition : region.where) conditions.emplace_back(condition.formula);
   std::vector<Sample> result;
   for (Place& place : places(workshop, region)) {
@@ -150,11 +252,10 @@ std::vector<Sample> samples(Workshop& workshop, const Region& region) {
     const std::size_t variables = values.size();
     values.resize(all->variables().size(), 0);
     bool inside = true;
-    for (std::size_t i = 0; inside && i < radicands.size(); ++i) {
-      const double radicand = radicands[i].jet(values).value;
-      inside = radicand > -tolerance;
-      values[variables + i] =
-          std::pow(std::max(0.0, radicand), 1.0 / region.functions[i]->degree);
+    for (std::size_t i = 0; inside && i < operands.size(); ++i) {
+      const double value = about(*region.functions[i], operands[i].jet(values).value);
+      inside = std::isfinite(value);
+      values[variables + i] = value;
     }
     for (std::size_t i = 0; inside && i < conditions.size(); ++i)
       inside = nearly(region.where[i].relation, conditions[i].jet(values).value);
@@ -166,32 +267,16 @@ std::vector<Sample> samples(Workshop& workshop, const Region& region) {
 std::optional<certificate::Point> witness(Workshop& workshop, const Region& region,
                                           const Polynomial& f, certificate::Relation relation,
                                           const Place& place, bool may_adjoin) {
-  const auto names = variables(region.factors);
-  std::vector<Polynomial> values;
+  Values values(workshop, variables(region.factors),
+                region.is_elementary() || !workshop.transcendental().empty());
   for (std::size_t k = 0; k < place.size(); ++k)
-    for (const Polynomial& x : point(region.factors[k], place[k])) values.push_back(x);
-  const auto sign_of = [&](const Polynomial& g) {
-    const RingPtr numbers = workshop.numbers();
-    std::vector<Polynomial> here;
-    for (const Polynomial& x : values) here.push_back(numbers->embed(x));
-    here.resize(names.size(), numbers->constant(0));
-    const Polynomial value = workshop.ring(names)->embed(g).substitute(numbers, here);
-    return std::pair(exact::sign(value), value);
-  };
-  for (const auto* function : region.functions) {
-    const auto [sign, radicand] = sign_of(workshop.expand(function->radicand, names));
-    if (sign == Sign::negative) return std::nullopt;
-    const auto value = root(workshop, radicand, function->degree, may_adjoin);
-    if (!value) return std::nullopt;
-    values.push_back(*value);
-  }
+    for (const Polynomial& x : point(region.factors[k], place[k])) values.add(x);
+  for (const auto* function : region.functions)
+    if (!values.add(*function, may_adjoin)) return std::nullopt;
   for (const auto& [formula, condition] : region.where)
-    if (!holds(condition, sign_of(formula).first)) return std::nullopt;
-  if (holds(relation, sign_of(f).first)) return std::nullopt;
-  certificate::Point result;
-  result.variables = names;
-  for (const Polynomial& value : values) result.values.push_back(workshop.write(value));
-  return result;
+    if (!holds(condition, values.sign(formula))) return std::nullopt;
+  if (holds(relation, values.sign(f))) return std::nullopt;
+  return values.point();
 }
 
 }  // namespace seam::prove

@@ -5,6 +5,7 @@
 #include <ranges>
 
 #include "exact/contract.h"
+#include "exact/elementary.h"
 
 // The tower is a field because every generator in it is irreducible over those before: for
 // those of the statement that is expected, and whoever breaks it gets evidence that is not
@@ -27,6 +28,15 @@ Rational rational(const std::string& text) {
   return result;
 }
 
+std::string spelled(certificate::Elementary function) {
+  using certificate::Elementary;
+  return function == Elementary::exp   ? "exp"
+         : function == Elementary::log ? "log"
+         : function == Elementary::sin ? "sin"
+         : function == Elementary::cos ? "cos"
+                                       : "pi";
+}
+
 }  // namespace
 
 Workshop::Workshop(const certificate::Statement& statement, certificate::Evidence& evidence,
@@ -41,14 +51,46 @@ Workshop::Workshop(const certificate::Statement& statement, certificate::Evidenc
     symbols_.push_back(std::move(symbols));
   }
   for (const auto& generator : statement.generators) accept(generator);
+  add_circles();
+}
+
+void Workshop::add_circles() {
+  using certificate::Elementary;
+  const auto& numbers = statement_->generators;
+  for (const auto& sine : numbers)
+    for (const auto& cosine : numbers)
+      if (sine.function == Elementary::sin && cosine.function == Elementary::cos &&
+          sine.argument == cosine.argument)
+        circles_.push_back({sine.name, cosine.name});
+  for (const auto& sine : statement_->functions)
+    for (const auto& cosine : statement_->functions)
+      if (sine.elementary == Elementary::sin && cosine.elementary == Elementary::cos &&
+          sine.operand == cosine.operand)
+        circles_.push_back({sine.name, cosine.name});
 }
 
 void Workshop::accept(const certificate::Generator& generator) {
+  if (generator.function != certificate::Elementary::none) {
+    const bool is_pi = generator.function == certificate::Elementary::pi;
+    const auto value =
+        near(generator.function, is_pi ? numbers()->constant(0) : number(generator.argument));
+    exact::require(value.has_value(), "prove: a function where it has no value");
+    near_.emplace(generator.name, *value);
+    transcendental_.push_back(generator.name);
+    return;
+  }
   generators_.erase(generator.name);  // for this once it is a variable
   const exact::Univariate f =
       exact::univariate(expand(generator.polynomial, {generator.name}), 0);
   generators_.insert(generator.name);
-  exact::require(exact::degree(f) >= 2, "prove: a generator of degree below 2");
+  exact::require(exact::degree(f) >= 1, "prove: a generator of degree below 1");
+  if (exact::degree(f) == 1) {  // over transcendental numbers
+    near_.emplace(generator.name, *(-f[0] * exact::inverse(f[1])).rational());
+    transcendental_.push_back(generator.name);
+    rings_.clear();
+    expanded_.clear();
+    return;
+  }
   tower_ = exact::adjoin(exact::monic(f), generator.name,
                          {rational(generator.low), rational(generator.high)});
   rings_.clear();
@@ -68,17 +110,25 @@ std::vector<const certificate::Function*> Workshop::functions(
   std::vector<const certificate::Function*> result;
   for (const auto& function : statement_->functions | std::views::reverse) {
     if (!symbols.contains(function.name)) continue;
-    symbols.insert(symbols_[function.radicand].begin(), symbols_[function.radicand].end());
+    symbols.insert(symbols_[function.operand].begin(), symbols_[function.operand].end());
+    for (const auto& [sine, cosine] : circles_)
+      if (function.name == sine) symbols.insert(cosine);
     result.insert(result.begin(), &function);
   }
   return result;
+}
+
+std::optional<std::string> Workshop::cosine(const certificate::Function& function) const {
+  for (const auto& [sine, cosine] : circles_)
+    if (sine == function.name) return cosine;
+  return std::nullopt;
 }
 
 std::set<std::string> Workshop::variables(Term term) const {
   std::set<std::string> result = symbols_[term];
   const auto held = functions({term});
   for (const auto* function : held)
-    result.insert(symbols_[function->radicand].begin(), symbols_[function->radicand].end());
+    result.insert(symbols_[function->operand].begin(), symbols_[function->operand].end());
   for (const auto* function : held) result.erase(function->name);
   std::erase_if(result, [this](const std::string& name) { return generators_.contains(name); });
   return result;
@@ -90,8 +140,9 @@ Polynomial Workshop::reduced(Polynomial p) {
   for (const auto& function : statement_->functions | std::views::reverse) {
     const auto place =
         static_cast<int>(std::ranges::find(names, function.name) - names.begin());
-    if (place == std::ssize(names) || p.degree(place) < function.degree) continue;
-    const Polynomial radicand = expand(function.radicand, names);
+    if (!function.is_root() || place == std::ssize(names) || p.degree(place) < function.degree)
+      continue;
+    const Polynomial radicand = expand(function.operand, names);
     const Polynomial symbol = p.ring().variable(place);
     Polynomial sum = p.ring().constant(0), power = p.ring().constant(1);
     int reached = 0;
@@ -102,11 +153,29 @@ Polynomial Workshop::reduced(Polynomial p) {
     }
     p = sum;
   }
+  return circles_.empty() ? p : without_squares(std::move(p));
+}
+
+Polynomial Workshop::without_squares(Polynomial p) {
+  const auto names = p.ring().variables();
+  const auto place_of = [&](const std::string& name) {
+    return static_cast<int>(std::ranges::find(names, name) - names.begin());
+  };
+  for (const auto& [sine, cosine] : circles_) {
+    const int s = place_of(sine), c = place_of(cosine);
+    if (std::max(s, c) == std::ssize(names) || p.degree(s) < 2) continue;
+    const Polynomial x = p.ring().variable(c), square = p.ring().constant(1) - x * x;
+    Polynomial sum = p.ring().constant(0);
+    for (const auto& [exponents, coefficient] : p.coefficients({s}))
+      sum = sum + coefficient * square.pow(exponents.front() / 2) *
+                      p.ring().variable(s).pow(exponents.front() % 2);
+    p = sum;
+  }
   return p;
 }
 
 Polynomial Workshop::power(const Polynomial& base, int exponent) {
-  if (statement_->functions.empty()) return base.pow(exponent);
+  if (statement_->functions.empty() && circles_.empty()) return base.pow(exponent);
   Polynomial result = base.ring().constant(1), square = base;
   for (; exponent > 0; exponent /= 2) {
     if (exponent % 2 == 1) result = reduced(result * square);
@@ -134,6 +203,10 @@ Polynomial Workshop::expand(Term term, const std::vector<std::string>& variables
         break;
       case Node::Kind::symbol: {
         const auto symbol = ring->symbol(node.text);
+        if (const auto number = near_.find(node.text); !symbol && number != near_.end()) {
+          value = ring->constant(number->second);
+          break;
+        }
         if (!symbol)
           throw Unfit("'" + node.text + "' is neither a number nor a bound variable");
         value = *symbol;
@@ -176,6 +249,56 @@ Polynomial Workshop::adjoin(const exact::Univariate& squarefree,
   rings_.clear();
   expanded_.clear();
   return *numbers()->symbol(name);
+}
+
+std::optional<Rational> Workshop::near(certificate::Elementary function, const Polynomial& at) {
+  const auto ring = exact::Ring::make(at.ring().tower(), {"x"});
+  const auto bounds =
+      exact::enclosure(ring->variable(0), {{spelled(function), ring->embed(at)}}, 192);
+  if (!bounds) return std::nullopt;
+  const Rational middle = (bounds->low + bounds->high) / 2;
+  Integer scaled;
+  const Rational shifted = middle * (Integer(1) << 128);
+  mpz_fdiv_q(scaled.get_mpz_t(), shifted.get_num_mpz_t(), shifted.get_den_mpz_t());
+  Rational result(scaled, Integer(1) << 128);
+  result.canonicalize();
+  return result;
+}
+
+std::optional<Polynomial> Workshop::near_value(certificate::Elementary function,
+                                               const Polynomial& operand) {
+  std::vector<Polynomial> places;
+  for (const std::string& name : operand.ring().variables())
+    places.push_back(numbers()->constant(near_.at(name)));
+  const auto value = near(function, operand.substitute(numbers(), places));
+  if (!value) return std::nullopt;
+  return numbers()->constant(*value);
+}
+
+bool Workshop::is_simple(certificate::Elementary function, const Polynomial& operand) {
+  return function == certificate::Elementary::log ? operand.rational() == Rational(1)
+                                                  : operand.is_zero();
+}
+
+Term Workshop::write(certificate::Elementary function, const Polynomial& operand) {
+  if (is_simple(function, operand)) return write(*near_value(function, operand));
+  const auto symbol = [&](const std::string& name) {
+    return add({Node::Kind::symbol, name, {}, 0});
+  };
+  for (const auto& known : statement_->generators)
+    if (known.function == function && expand(known.argument, transcendental_) == operand)
+      return symbol(known.name);
+  const Term argument = write(operand);
+  for (const auto& known : evidence_->generators)
+    if (known.function == function && known.argument == argument) return symbol(known.name);
+  const auto rational = operand.rational();
+  std::string name =
+      rational ? spelled(function) + ("(" + rational->get_str() + ")") : std::string();
+  for (int i = 1; name.empty() || generators_.contains(name); ++i)
+    name = "value(" + std::to_string(i) + ")";
+  evidence_->generators.push_back({name, 0, {}, {}, function, argument});
+  generators_.insert(name);
+  return symbol(name);
 }
 
 Term Workshop::add(Node node) {

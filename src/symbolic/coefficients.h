@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "symbolic/expand.h"
 #include "symbolic/formula.h"
 #include "symbolic/numbers.h"
 
@@ -18,6 +19,10 @@ namespace seam::symbolic {
 using Coefficients = std::map<std::vector<int>, Formula>;
 Coefficients coefficients(const Formula&, const std::vector<std::string>& variables,
                           const Numbers&);
+
+/// What a formula is the sum of, in normal form; likewise with roots and inverses of functions.
+/// Empty: it is 0.
+std::vector<Monomial> monomials(const Formula&, const Numbers&);
 
 /// Whether the normal form is 0; so the formula is, wherever it has a value. (One that holds
 /// roots or inverses may be 0 all the same.)

@@ -23,6 +23,23 @@ Expansion::Expansion(exact::RingPtr ring, Atoms atoms, std::map<std::string, Pol
     rules_.push_back({static_cast<int>(place - names.begin()), entry.formula.exponent(),
                       (*this)(entry.formula.operands()[0])});
   }
+  const auto is = [](const Atoms::Entry& entry, const char* function) {
+    return entry.formula.kind() == Formula::Kind::applied && entry.formula.name() == function;
+  };
+  const auto variable = [this](const Atoms::Entry& entry) {
+    const auto& names = ring_->variables();
+    return static_cast<int>(std::ranges::find(names, entry.name) - names.begin());
+  };
+  for (const Atoms::Entry& sine : atoms_.entries())
+    for (const Atoms::Entry& cosine : atoms_.entries())
+      if (is(sine, "sin") && is(cosine, "cos") &&
+          sine.formula.operands()[0].same(cosine.formula.operands()[0]))
+        add_circle(variable(sine), variable(cosine));
+}
+
+void Expansion::add_circle(int sine, int cosine) {
+  const Polynomial c = ring_->variable(cosine);
+  rules_.push_back({sine, 2, ring_->constant(1) - c * c});
 }
 
 // From the last root to the first: what comes in for a root holds only roots before it.
@@ -94,11 +111,11 @@ Polynomial Expansion::compute(const Formula& formula) {
   throw exact::ContractError("Expansion: no such kind of formula");
 }
 
-Formula formula(const Polynomial& polynomial) {
+std::vector<Monomial> monomials(const Polynomial& polynomial) {
   const auto [terms, denominator] = polynomial.numerators();
   const auto& variables = polynomial.ring().variables();
   const auto generators = exact::steps(polynomial.ring().tower());
-  std::vector<Formula> sum_terms;
+  std::vector<Monomial> result;
   for (auto term = terms.rbegin(); term != terms.rend(); ++term) {
     std::vector<Formula> monomial;
     for (std::size_t i = 0; i < variables.size(); ++i)
@@ -116,11 +133,23 @@ Formula formula(const Polynomial& polynomial) {
         factors.push_back(symbolic::power(Formula::symbol(generator->symbol()), exponent));
       }
       factors.insert(factors.end(), monomial.begin(), monomial.end());
-      factors.insert(factors.begin(), Formula(coefficient));
-      sum_terms.push_back(product(std::move(factors)));
+      result.push_back({coefficient, product(std::move(factors))});
     }
   }
-  return sum(std::move(sum_terms));
+  return result;
+}
+
+Formula formula(const Polynomial& polynomial) {
+  std::vector<Formula> terms;
+  for (const auto& [coefficient, powers] : monomials(polynomial)) {
+    std::vector<Formula> factors = {Formula(coefficient)};
+    if (powers.kind() == Formula::Kind::product)
+      factors.insert(factors.end(), powers.operands().begin(), powers.operands().end());
+    else
+      factors.push_back(powers);
+    terms.push_back(product(std::move(factors)));
+  }
+  return sum(std::move(terms));
 }
 
 }  // namespace seam::symbolic

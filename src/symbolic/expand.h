@@ -20,6 +20,9 @@ class Expansion {
   explicit Expansion(exact::RingPtr ring, Atoms atoms = {},
                      std::map<std::string, exact::Polynomial> values = {});
 
+  /// From now on the square of variable `sine` is 1 less that of variable `cosine`.
+  void add_circle(int sine, int cosine);
+
   /// Requires every symbol and atom of the formula to be one of the ring.
   exact::Polynomial operator()(const Formula&);
   const exact::RingPtr& ring() const { return ring_; }
@@ -39,8 +42,14 @@ class Expansion {
   std::unordered_map<const void*, std::pair<Formula, exact::Polynomial>> done_;
 };
 
-/// The formula of a polynomial: sum of coefficient * powers of symbols, variables and
-/// generators.
+/// A rational times powers of symbols, variables and generators.
+struct Monomial {
+  exact::Rational coefficient;
+  Formula powers;  ///< 1, or a product without a constant
+};
+/// What a polynomial is the sum of, the same for equal ones.
+std::vector<Monomial> monomials(const exact::Polynomial&);
+/// The formula of a polynomial: their sum.
 Formula formula(const exact::Polynomial&);
 
 }  // namespace seam::symbolic

@@ -21,19 +21,25 @@ struct NumberError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A number field would become too large to compute in (degree over 64).
+/// A number field would become too large to compute in (degree over 64), or a transcendental
+/// number was not told from 0.
 struct NumberLimit : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The real algebraic numbers of one file: generators (roots of polynomials over earlier ones)
-/// and exact decisions about formulas without variables ("number formulas").
+/// The real numbers of one file: generators (roots of polynomials over earlier ones, values of
+/// elementary functions) and exact decisions about formulas without variables ("number
+/// formulas").
 ///
 /// Every decision is made in the field of just those generators that the numbers in question
 /// hold. In it each generator is either a further root, its polynomial factored over those
 /// before, or expressed by them. So a number is 0 exactly when its normal form is, and what a
 /// file holds besides costs nothing. Results are `known` formulas whose facts say what they
 /// are. Deterministic.
+///
+/// Values of exp, log, sin, cos and pi are taken for independent of each other, but for
+/// sin^2 + cos^2 = 1: a normal form 0 means 0, any other is told from 0 by enclosures, and
+/// where these do not tell, `NumberLimit` is thrown.
 class Numbers {
  public:
   Numbers();
@@ -51,6 +57,14 @@ class Numbers {
 
   /// 1/x as a formula that is a polynomial in the generators; fact: x * inverse - 1 = 0.
   Formula inverse(const Formula& x);
+
+  /// The value of `exp`, `log`, `sin` or `cos` at a number, as a generator.
+  Formula elementary(const std::string& function, const Formula& argument);
+  Formula pi();
+  /// cos(multiple * pi), an algebraic number.
+  Formula cosine_of_pi(const exact::Rational& multiple);
+  /// Whether no value of such a function is left in normal form.
+  bool is_algebraic(const Formula& number) const;
 
   exact::Sign sign(const Formula& number) const;
   bool equal(const Formula& a, const Formula& b) const;
@@ -73,8 +87,12 @@ class Numbers {
     Formula polynomial;         ///< in Formula::symbol(name), over earlier generators
     exact::Rational low, high;  ///< holds this root of the polynomial, no other, and not as an
                                 ///< end where a sign change could not show it
+    std::string function;       ///< or: `exp`, `log`, `sin`, `cos`, `pi` ...
+    Formula argument;           ///< ... of this; `inverse`, beside the polynomial: 1 / this
   };
 
+  /// The generator of that name, if it is one.
+  const Generator* find(const std::string& name) const;
   const std::vector<Generator>& generators() const;  ///< all, in the order they were made
 
   /// The field of some generators, and of those that they are defined by.
@@ -83,12 +101,14 @@ class Numbers {
     std::vector<Generator> generators;                ///< of its tower, irreducible in turn
     std::map<std::string, exact::Polynomial> values;  ///< of all generators, in the ring
     std::map<std::string, Formula> dependent;  ///< those of no step, by the others; known
+    std::vector<Generator> transcendental;     ///< with a function; each after its argument
   };
   /// Of the generators among these symbols.
   const Field& field(const std::set<std::string>& symbols) const;
   const Field& field(const Formula& number) const;
 
  private:
+  Formula transcendental_inverse(const Formula&);
   struct Forest;
   std::unique_ptr<Forest> forest_;
 };

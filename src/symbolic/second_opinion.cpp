@@ -15,6 +15,7 @@ namespace seam::symbolic {
 namespace {
 
 using certificate::Domain;
+using certificate::Elementary;
 using certificate::Node;
 using certificate::Relation;
 using certificate::Simplex;
@@ -28,7 +29,14 @@ class Evaluation {
  public:
   explicit Evaluation(const Statement& statement) : statement_(statement) {
     GiNaC::Digits = digits;
-    for (const auto& generator : statement.generators) place_root(generator);
+    for (const auto& generator : statement.generators) {
+      if (generator.function == Elementary::pi)
+        place(generator.name, in_digits(GiNaC::Pi));
+      else if (generator.function != Elementary::none)
+        place(generator.name, value(generator.function, at(generator.argument)));
+      else
+        place_root(generator);
+    }
   }
 
   void place(const std::string& name, const numeric& value) {
@@ -41,7 +49,14 @@ class Evaluation {
   void place_functions() {
     for (const auto& function : statement_.functions) {
       lacks_value_ = false;
-      const numeric radicand = at(function.radicand);
+      const numeric radicand = at(function.operand);
+      if (!function.is_root()) {
+        const bool has_value =
+            !lacks_value_ && (function.elementary != Elementary::log || radicand.is_positive());
+        if (!has_value) without_value_.insert(function.name);
+        place(function.name, has_value ? value(function.elementary, radicand) : numeric(0));
+        continue;
+      }
       const bool is_zero = GiNaC::abs(radicand) <= rounding();
       if (lacks_value_ || (radicand.is_negative() && !is_zero))
         without_value_.insert(function.name);
@@ -85,9 +100,24 @@ class Evaluation {
   }
 
  private:
+  static numeric in_digits(const GiNaC::ex& x) { return GiNaC::ex_to<numeric>(x.evalf()); }
+
   static numeric root(const numeric& radicand, int degree) {
-    const numeric x = GiNaC::ex_to<numeric>(GiNaC::ex(radicand).evalf());
-    return GiNaC::exp(GiNaC::log(x) / degree);
+    return GiNaC::exp(GiNaC::log(in_digits(radicand)) / degree);
+  }
+
+  static numeric value(Elementary function, const numeric& operand) {
+    const numeric x = in_digits(operand);
+    switch (function) {
+      case Elementary::exp:
+        return GiNaC::exp(x);
+      case Elementary::log:
+        return GiNaC::log(x);
+      case Elementary::sin:
+        return GiNaC::sin(x);
+      default:
+        return GiNaC::cos(x);
+    }
   }
 
   // Bisection to far below the working precision.

@@ -195,7 +195,7 @@ TEST(Functions, a_number_is_not_defined_by_a_function) {
 
 TEST(Functions, a_radicand_holds_no_variable_outside_the_domain) {
   OnCircle k;
-  k.statement.functions[0].radicand = k.sum({k.square, k.symbol("x")});
+  k.statement.functions[0].operand = k.sum({k.square, k.symbol("x")});
   k.claim_sign(k.r, nonnegative);
   EXPECT_OPEN(k.finding(pieces({plain()})), "a variable outside the domain");
 }
