@@ -37,7 +37,7 @@ struct Builtin {
 using Builtins = std::map<std::string, Builtin>;
 
 const Builtins& number_builtins();       ///< sqrt abs sum product count binomial …
-const Builtins& elementary_builtins();   ///< exp log sin cos tan
+const Builtins& elementary_builtins();   ///< exp log sin cos tan limit
 const Builtins& function_builtins();     ///< diff subst numerator denominator
 const Builtins& coefficient_builtins();  ///< degree coefficients bernstein
 const Builtins& vector_builtins();       ///< dot cross det norm2 …

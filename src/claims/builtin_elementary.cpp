@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "claims/builtin.h"
 #include "claims/elementary.h"
+#include "claims/limit.h"
 
 namespace seam::claims {
 namespace {
@@ -35,11 +36,9 @@ Value tan(const Call& call) {
 }  // namespace
 
 const Builtins& elementary_builtins() {
-  static const Builtins table = {{"exp", {1, 1, exp}},
-                                 {"log", {1, 1, log}},
-                                 {"sin", {1, 1, sin}},
-                                 {"cos", {1, 1, cos}},
-                                 {"tan", {1, 1, tan}}};
+  static const Builtins table = {{"exp", {1, 1, exp}}, {"log", {1, 1, log}},
+                                 {"sin", {1, 1, sin}}, {"cos", {1, 1, cos}},
+                                 {"tan", {1, 1, tan}}, {"limit", {1, 1, limit}}};
   return table;
 }
 
