@@ -140,6 +140,7 @@ Mesh truncated(Context& context, const Mesh& mesh, Polynomial ratio) {
       face.push_back(i);
       i = sides.mate[sides.previous[i]];
     } while (i != first);
+    demand(face.size() >= 3, "degenerate: a vertex that is cut off is on two faces only");
   }
   return result;
 }
@@ -147,6 +148,7 @@ Mesh truncated(Context& context, const Mesh& mesh, Polynomial ratio) {
 }  // namespace
 
 Mesh make_mesh(Context& context, const certificate::Mesh& stated) {
+  demand(!stated.faces.empty(), "degenerate: a mesh without faces");
   demand(std::cmp_less_equal(stated.vertices, most_sides), "effort");
   context.meter().charge(static_cast<std::size_t>(stated.vertices));
   Mesh mesh;

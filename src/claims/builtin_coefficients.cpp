@@ -41,6 +41,10 @@ Formula monomial(const std::vector<std::string>& variables, const std::vector<in
 Coefficients expanded(const Call& call, const Formula& f,
                       const std::vector<std::string>& variables) {
   Coefficients coefficients = symbolic::coefficients(f, variables, call.evaluator.numbers);
+  // For single integers it could be 0.
+  if (!coefficients.empty() &&
+      holds_integer(call.evaluator, Scalar(coefficients.rbegin()->second)))
+    throw Unsupported("a polynomial whose leading coefficient holds an integer parameter");
   Formula rebuilt = 0;
   for (const auto& [exponents, coefficient] : coefficients)
     rebuilt += coefficient * monomial(variables, exponents);

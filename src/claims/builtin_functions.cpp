@@ -100,14 +100,23 @@ Scalar part(const Scalar& whole, const Formula& formula) {
   return result;
 }
 
-Value numerator(const Call& call) {
+// For an integer that is not known it would be another thing than for each one.
+Value argument(const Call& call) {
   const Value value = call.value(0);
+  const auto* scalar = value.as<Scalar>();
+  if (scalar && holds_integer(call.evaluator, *scalar))
+    throw Unsupported("the numerator or denominator of a number with an integer parameter");
+  return value;
+}
+
+Value numerator(const Call& call) {
+  const Value value = argument(call);
   if (const auto rational = rational_argument(call, value))
     return {Scalar(Formula(exact::Rational(rational->get_num())))};
   return mapped(call, value, [](const Scalar& s) { return part(s, s.numerator); });
 }
 Value denominator(const Call& call) {
-  const Value value = call.value(0);
+  const Value value = argument(call);
   if (const auto rational = rational_argument(call, value))
     return {Scalar(Formula(exact::Rational(rational->get_den())))};
   return mapped(call, value, [](const Scalar& s) { return part(s, s.denominator); });

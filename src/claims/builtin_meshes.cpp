@@ -43,6 +43,7 @@ Value mesh_of(const Call& call) {
       corners.push_back(static_cast<int>(k - 1));
     }
   }
+  if (result.faces.empty()) fail(call[1], "a mesh has a face at least");
   return {solid(std::move(result), call[0])};
 }
 
@@ -80,6 +81,7 @@ IteratedMesh how_often(const Call& call, const Formula& ratio) {
 }
 
 Mesh truncated(const Call& call, Mesh mesh, const Formula& ratio, long times) {
+  if (times > max_times) fail(call[2], "truncated too often");
   for (long k = 0; k < times; ++k) {
     std::size_t sides = 0;
     for (const auto& face : mesh.faces) sides += face.size();

@@ -90,6 +90,8 @@ Value over_parameter(const Call& call) {
   } else {
     result.errors = {{as_scalar(call.evaluator, error, call[0]), domain}};
   }
+  if (parameter && call.evaluator.hidden.contains(name))
+    throw Unsupported("'minimax' of a parameter on which a sequence or a sum depends");
   // What was defined before with the parameter in it holds its symbol.
   if (parameter)
     for (Extremum::Part& part : result.errors)

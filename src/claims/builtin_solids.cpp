@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "claims/builtin.h"
+#include "geometry/truncation.h"
 
 namespace seam::claims {
 
@@ -89,7 +90,11 @@ Value midpoint(const Call& call) {
 }
 
 Value dual(const Call& call) {
-  return {geometry::dual(mesh(call), call.evaluator.numbers)};
+  const Mesh m = mesh(call);
+  if (const std::string fault = geometry::not_oriented_manifold(m); !fault.empty())
+    fail(call[0], "this mesh has no dual: " + fault,
+         "that takes a closed mesh whose faces are turned alike");
+  return {geometry::dual(m, call.evaluator.numbers)};
 }
 
 Value scale(const Call& call) {

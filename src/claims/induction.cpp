@@ -2,6 +2,7 @@
 #include "claims/induction.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "claims/parameters.h"
 #include "symbolic/coefficients.h"
@@ -30,7 +31,6 @@ using symbolic::Constraint;
 
 constexpr long base_size = 8;        // instances before the step
 constexpr long inner_base_size = 3;  // of a parameter inside that of another
-constexpr long most_instances = 1000;
 
 // Puts the words in front of what each part is about.
 void prefix(Proposition& p, const std::string& words) {
@@ -55,9 +55,13 @@ class Induction {
 
   Stated run() {
     if (range_.low && range_.high) {
-      if (*range_.high - *range_.low >= most_instances)
-        throw Unsupported("an integer parameter with more than a thousand values");
+      long& room = evaluator_.integers.room;
+      const long size = std::max(1L, *range_.high - *range_.low + 1);
+      if (size > room)
+        throw Unsupported("integer parameters with more than a thousand values in all");
+      const long outer = std::exchange(room, room / size);
       for (long i = *range_.low; i <= *range_.high; ++i) instance(i, "");
+      room = outer;
     } else {
       const long first = range_.low ? *range_.low : range_.high ? *range_.high : 0;
       if (range_.low || !range_.high) ascend(first, 1);
@@ -230,7 +234,7 @@ class Induction {
     for (const std::string& s : evaluator_.integers.opaque) {
       if (!variables.contains(s) || replaced.contains(s)) continue;
       const auto parts = symbolic::coefficients(f, {s}, evaluator_.numbers);
-      if (parts.rbegin()->first[0] != 1) continue;
+      if (parts.empty() || parts.rbegin()->first[0] != 1) continue;
       const auto rest = parts.find({0});
       const Scalar b = rest == parts.end() ? Scalar(0) : Scalar(rest->second);
       const Scalar a = scalar_of(parts.rbegin()->second, evaluator_.numbers);

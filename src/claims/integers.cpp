@@ -151,7 +151,9 @@ Assigned::Assigned(Evaluator& evaluator, const std::string& parameter, Scalar va
       parameters_(evaluator.parameters.size()) {
   evaluator.integers.values[parameter] = std::move(value);
   evaluator.integers.lets.clear();
-  evaluator.integers.steps.clear();
+  // What a sequence is at a number does not change.
+  std::erase_if(evaluator.integers.steps,
+                [](const auto& step) { return !step.first.second.starts_with("+"); });
 }
 
 Assigned::~Assigned() {
@@ -177,6 +179,16 @@ void generalise(Evaluator& evaluator, const std::string& parameter, Integers::Ge
   evaluator.parameters.push_back({parameter, set, {}});
   evaluator.integers.general[parameter] = range;
   evaluator.integers.values[parameter] = Scalar(Formula::symbol(parameter));
+}
+
+bool holds_integer(const Evaluator& evaluator, const Scalar& value) {
+  const Integers& integers = evaluator.integers;
+  std::set<std::string> held = symbolic::variables(value.numerator);
+  held.merge(symbolic::variables(value.denominator));
+  return std::ranges::any_of(held, [&](const std::string& name) {
+    return integers.general.contains(name) || integers.opaque.contains(name) ||
+           name.find('^') != std::string::npos;
+  });
 }
 
 Scalar integer_value(Evaluator& evaluator, const std::string& parameter) {

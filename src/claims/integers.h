@@ -29,6 +29,8 @@ struct Integers {
   std::map<std::string, const Item*> known;  ///< the parameters, by their symbols
   std::map<std::string, Scalar> values;      ///< numbers, or symbols with a shift
   std::map<std::string, General> general;    ///< those of them that are symbols
+  long room = 1000;                          ///< how many values may be tried, one by one
+  std::set<const Item*> stepping;            ///< sequences of which a step is being taken
   bool relaxed = false;  ///< parameters without a value stand for all integers they may be
   /// Values of sequences and sums that are not known, and what is known of them.
   std::set<std::string> opaque;
@@ -61,6 +63,9 @@ std::optional<Index> as_index(Evaluator&, const Scalar&);
 /// Makes the parameter any integer from `first` on, for as long as the present `Assigned`
 /// lives.
 void generalise(Evaluator&, const std::string& parameter, Integers::General);
+
+/// Whether a general integer, or an unknown value of a sequence or a sum, stands in it.
+bool holds_integer(const Evaluator&, const Scalar&);
 
 /// The value of an integer parameter; throws `IntegerMet` where it has none.
 Scalar integer_value(Evaluator&, const std::string& parameter);

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
 #include "claims/stating.h"
 #include "symbolic/formula.h"
 
 // At a number a sequence is worked out from its start on. At an integer parameter n its value
 // is not known: a symbol for each entry, of which only the step to n + 1 is used, or what an
 // induction has shown of it. Sums up to n are such values too.
+//
+// Such a symbol does not show what it depends on. So nothing may be derived by, or put in for,
+// a parameter that a sequence or a sum holds, and no other variable may stand in them.
 
 namespace seam::claims {
 namespace {
@@ -19,6 +24,28 @@ Scalar unknown(Evaluator& evaluator, const std::string& name) {
     return found->second;
   if (integers.opaque.insert(name).second) evaluator.parameters.push_back({name, {}, {}});
   return Scalar(Formula::symbol(name));
+}
+
+// Notes the parameters that a value holds, beside integers and unknown values.
+void hide(Evaluator& evaluator, const Scalar& value, const std::string& what) {
+  std::set<std::string> held;
+  for (const Formula& f : {value.numerator, value.denominator})
+    held.merge(symbolic::variables(f));
+  for (const std::string& name : held) {
+    if (evaluator.integers.general.contains(name) || evaluator.integers.opaque.contains(name))
+      continue;
+    const bool is_parameter = std::ranges::any_of(
+        evaluator.parameters, [&](const Parameter& p) { return p.name == name; });
+    if (!is_parameter || evaluator.varied.contains(name))
+      throw Unsupported(what + " that holds the variable '" + name + "'");
+    evaluator.hidden.insert(name);
+  }
+}
+
+void hide(Evaluator& evaluator, const Value& value, const std::string& what) {
+  if (const auto* scalar = value.as<Scalar>()) hide(evaluator, *scalar, what);
+  if (const auto* vector = value.as<Vector>())
+    for (const Scalar& entry : *vector) hide(evaluator, entry, what);
 }
 
 std::size_t entries(const Value& value, const Expression& at) {
@@ -84,6 +111,24 @@ class Steps {
   const Item& item_;
 };
 
+// As long as it lives, the sequence is among those of which a step is taken.
+class Stepping {
+ public:
+  Stepping(std::set<const Item*>& all, const Item* item)
+      : all_(all), item_(item), is_first_(all.insert(item).second) {}
+  Stepping(const Stepping&) = delete;
+  Stepping& operator=(const Stepping&) = delete;
+  ~Stepping() {
+    if (is_first_) all_.erase(item_);
+  }
+  bool is_first() const { return is_first_; }
+
+ private:
+  std::set<const Item*>& all_;
+  const Item* item_;
+  bool is_first_;
+};
+
 }  // namespace
 
 Value sequence_value(Evaluator& evaluator, const Item& item, const Scalar& index,
@@ -102,6 +147,10 @@ Value sequence_value(Evaluator& evaluator, const Item& item, const Scalar& index
   if (place->shift < 0 || place->shift > max_index)
     throw Unsupported(
         "a sequence before an integer parameter, at n - 1; at n + 1 it is covered");
+  // Not within a step of its own, which asks for the value before it.
+  if (const Stepping once(evaluator.integers.stepping, &item); once.is_first())
+    for (const Value& value : {steps.at(Index{}), steps.at(Index{place->parameter, 1})})
+      hide(evaluator, value, "a sequence");
   return steps.at(*place);
 }
 
@@ -132,15 +181,16 @@ std::optional<Value> sum_to_parameter(Evaluator& evaluator, const Expression& ea
   const std::string symbol = evaluator.bind(name);
   evaluator.integers.general[symbol] = {low, true};
   const Scalar general = term(Scalar(Formula::symbol(symbol)));
-  evaluator.integers.general.erase(symbol);
-  evaluator.release(symbol);
+  hide(evaluator, general, "a sum up to an integer parameter");
   const std::string key = symbolic::text(general.numerator, max_key) + " / " +
                           symbolic::text(general.denominator, max_key);
+  evaluator.integers.general.erase(symbol);
+  evaluator.release(symbol);
   if (key.size() >= max_key) throw Unsupported("a sum of so long a formula");
   const std::string what = "sum of " + key + " for " + symbol + " from " + std::to_string(low);
   const auto number = evaluator.sums.emplace(what, evaluator.sums.size() + 1).first->second;
   Scalar total =
-      unknown(evaluator, "sum" + std::to_string(number) + "[" + high->parameter + "]");
+      unknown(evaluator, "sum~" + std::to_string(number) + "[" + high->parameter + "]");
   const Scalar n(Formula::symbol(high->parameter));
   for (long k = 1; k <= high->shift; ++k) total = total + term(n + Scalar(k));
   for (long k = high->shift + 1; k <= 0; ++k) total = total - term(n + Scalar(k));

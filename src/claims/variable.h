@@ -32,7 +32,10 @@ class Variable {
   Variable(const Variable&) = delete;
   Variable& operator=(const Variable&) = delete;
   ~Variable() {
-    if (fresh_) evaluator_.release(symbol_);
+    if (fresh_)
+      evaluator_.release(symbol_);
+    else
+      evaluator_.varied.erase(evaluator_.varied.find(symbol_));
   }
 
   const std::string& symbol() const { return symbol_; }
@@ -46,6 +49,10 @@ class Variable {
         !scalar->is_polynomial())
       fail(at, "expected a variable, found " + description(value));
     symbol_ = scalar->numerator.name();
+    if (evaluator_.hidden.contains(symbol_))
+      throw Unsupported("'" + at.text +
+                        "' as a variable, on which a sequence or a sum depends");
+    evaluator_.varied.insert(symbol_);
   }
 
   Evaluator& evaluator_;

@@ -127,6 +127,13 @@ std::vector<Polynomial> multipliers(const Factors& factors, const exact::Ring& r
 
 std::optional<certificate::SignProof> Derivation::combine(const Polynomial& f,
                                                           Relation relation) {
+  if (relation == Relation::zero) {
+    auto above = by_inequalities(now(f), {Relation::nonnegative, 1});
+    auto below = by_inequalities(now(f), {Relation::nonpositive, -1});
+    if (!above || !below) return std::nullopt;
+    return certificate::Reduction{
+        certificate::Reduction::Kind::both, {}, {}, {std::move(*above), std::move(*below)}};
+  }
   if (!holds(relation, Sign::positive)) return by_inequalities(now(f), {relation, -1});
   return by_inequalities(now(f), {relation, holds(relation, Sign::negative) ? 0 : 1});
 }
