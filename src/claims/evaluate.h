@@ -110,10 +110,11 @@ class Evaluator {
   std::vector<Parameter> parameters;
   std::vector<std::string> any_meshes;  ///< parameters that stand for any mesh
   Integers integers;
-  std::map<std::string, std::size_t> sums;      ///< up to integer parameters, numbered
-  std::vector<symbolic::Proposition> sides;     ///< of what is being evaluated
-  std::vector<symbolic::Proposition> standing;  ///< of the values around the statement
-  std::string folder;                           ///< for `read`: the folder of the file
+  std::vector<std::pair<Formula, std::string>> jets;  ///< see Stating::independent
+  std::map<std::string, std::size_t> sums;            ///< up to integer parameters, numbered
+  std::vector<symbolic::Proposition> sides;           ///< of what is being evaluated
+  std::vector<symbolic::Proposition> standing;        ///< of the values around the statement
+  std::string folder;                                 ///< for `read`: the folder of the file
 
  private:
   Value name(const Expression&, const Scope&);
