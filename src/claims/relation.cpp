@@ -249,9 +249,20 @@ std::optional<std::vector<Constraint>> Stating::constraints(const Expression& e,
 bool Stating::assume(const Expression& e, const Scope& scope, Context& context, bool positive) {
   const bool is_both =
       (e.kind == Kind::conjunction && positive) || (e.kind == Kind::disjunction && !positive);
-  if (is_both)
-    return assume(e.children[0], scope, context, positive) &&
-           assume(e.children[1], scope, context, positive);
+  if (is_both) {
+    // What the second rests on it does so without the first.
+    const Context around = context;
+    Context second = around;
+    if (!assume(e.children[0], scope, context, positive) ||
+        !assume(e.children[1], scope, second, positive))
+      return false;
+    const auto join = [](auto& to, const auto& from, std::size_t known) {
+      to.insert(to.end(), from.begin() + static_cast<long>(known), from.end());
+    };
+    join(context.where, second.where, around.where.size());
+    join(context.given, second.given, around.given.size());
+    return true;
+  }
   if (e.kind == Kind::negation) return assume(e.children[0], scope, context, !positive);
   if (e.kind == Kind::for_all && positive && e.children.size() == 2 &&
       e.children[0].text == "all" && condition_of(e.children[0]) == nullptr) {
