@@ -67,14 +67,31 @@ struct Pieces {
 ///   both          for R =; no terms. parts: f >= 0; f <= 0.
 ///   cases         a = terms[0]; parts: f R 0 with the condition a >= 0 added to those of the
 ///                 region, and with a < 0 added.
+///   condition     f = terms[0] * (the formula of condition conditions[0]), terms[0] a number;
+///                 where that condition holds, so does f R 0. No parts.
+///   factors       f, or -f if R is one of < <=, is the product of the terms; parts: for each,
+///                 that it is > 0, >= 0 or != 0, as R is strict, weak, or !=.
+///   squares       terms: w_1 ... w_n, q_1 ... q_n, and if R is strict or != also m_1 ... m_n.
+///                 f = sum w_i q_i^2, the w_i numbers != 0 all of the sign that R wants (for
+///                 !=: of one). If there are m_i: parts: (the product of the formulas of the
+///                 conditions) - sum m_i q_i = 0; each of these conditions excludes 0.
 ///   combination   parts: f - (sum terms[i] * e_i) R 0, e_i the formula of condition
 ///                 conditions[i]; then for each i, unless that condition is e_i = 0, that
 ///                 terms[i] has the sign, or is 0, that makes terms[i] * e_i help the relation.
 struct Reduction {
-  enum class Kind { multiplier, conjugate, both, cases, combination };
+  enum class Kind {
+    multiplier,
+    conjugate,
+    both,
+    cases,
+    condition,
+    factors,
+    squares,
+    combination
+  };
   Kind kind = Kind::multiplier;
   std::vector<Term> terms;
-  std::vector<int> conditions;  ///< combination: indices in the conditions of the region
+  std::vector<int> conditions;  ///< indices in the conditions of the region
   std::vector<std::variant<Computation, Pieces, Reduction>> parts;
 
   bool operator==(const Reduction&) const = default;

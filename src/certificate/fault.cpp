@@ -260,20 +260,34 @@ class Terms {
     for (const SignProof& proof : proofs) std::visit(*this, proof);
   }
 
+  static void demand_fitting(const Reduction& reduction) {
+    const std::size_t terms = reduction.terms.size(), parts = reduction.parts.size();
+    const std::size_t conditions = reduction.conditions.size();
+    switch (reduction.kind) {
+      case Reduction::Kind::combination:
+        return demand(conditions == terms, "not one cofactor for each condition");
+      case Reduction::Kind::condition:
+        return demand(conditions == 1 && terms == 1 && parts == 0,
+                      "not the one condition, and number, that a rule takes");
+      case Reduction::Kind::squares:
+        return demand(
+            parts == 0 ? terms % 2 == 0 && conditions == 0 : terms % 3 == 0 && parts == 1,
+            "not one weight, and one cofactor, for each square");
+      case Reduction::Kind::factors:
+        return demand(conditions == 0 && parts == terms, "not one proof for each factor");
+      default:
+        demand(conditions == 0, "conditions out of place");
+        demand(terms == (reduction.kind == Reduction::Kind::both ? 0 : 1) && parts == 2,
+               "not the terms, or not the two proofs, that a rule takes");
+    }
+  }
+
   void demand_sound(const Reduction& reduction, int depth) const {
     demand(depth < max_proof_depth, "a proof is nested too deeply");
     demand_terms(reduction.terms);
-    if (reduction.kind == Reduction::Kind::combination) {
-      demand(reduction.conditions.size() == reduction.terms.size(),
-             "not one cofactor for each condition");
-      for (const int condition : reduction.conditions)
-        demand(condition >= 0, "a condition of a negative index");
-    } else {
-      demand(reduction.conditions.empty(), "conditions out of place");
-      const std::size_t terms = reduction.kind == Reduction::Kind::both ? 0 : 1;
-      demand(reduction.terms.size() == terms && reduction.parts.size() == 2,
-             "not the terms, or not the two proofs, that a rule takes");
-    }
+    for (const int condition : reduction.conditions)
+      demand(condition >= 0, "a condition of a negative index");
+    demand_fitting(reduction);
     for (const SignProof& part : reduction.parts)
       if (const auto* inner = std::get_if<Reduction>(&part))
         demand_sound(*inner, depth + 1);

@@ -69,6 +69,25 @@ WrongSolution read_wrong_solution(const Reader& in) {
 
 SignProof read_sign_proof(const Reader& in);
 
+Reduction read_squares(const Reader& in) {
+  const bool is_strict = in.has("ideal");
+  if (is_strict)
+    in.members({"squares", "weights", "excluded", "cofactors", "ideal"});
+  else
+    in.members({"squares", "weights"});
+  Reduction result{Reduction::Kind::squares, in["weights"].integers(), {}, {}};
+  const auto append = [&](const std::vector<int>& terms) {
+    if (terms.size() != in["weights"].integers().size()) in.fail("as many terms as weights");
+    result.terms.insert(result.terms.end(), terms.begin(), terms.end());
+  };
+  append(in["squares"].integers());
+  if (!is_strict) return result;
+  append(in["cofactors"].integers());
+  result.conditions = in["excluded"].integers();
+  result.parts.push_back(read_sign_proof(in["ideal"]));
+  return result;
+}
+
 // Recursion is bounded: brackets are counted.
 Reduction read_reduction(const Reader& in) {
   using enum Reduction::Kind;
@@ -88,6 +107,15 @@ Reduction read_reduction(const Reader& in) {
     in.members({"both"});
     return {both, {}, {}, in["both"].list(read_sign_proof)};
   }
+  if (in.has("condition")) {
+    in.members({"condition", "times"});
+    return {condition, {in["times"].integer()}, {in["condition"].integer()}, {}};
+  }
+  if (in.has("factors")) {
+    in.members({"factors", "parts"});
+    return {factors, in["factors"].integers(), {}, in["parts"].list(read_sign_proof)};
+  }
+  if (in.has("squares")) return read_squares(in);
   in.members({"combination", "cofactors", "parts"});
   return {combination, in["cofactors"].integers(), in["combination"].integers(),
           in["parts"].list(read_sign_proof)};
@@ -95,7 +123,7 @@ Reduction read_reduction(const Reader& in) {
 
 bool is_reduction(const Reader& in) {
   return in.has("multiplier") || in.has("conjugate") || in.has("cases") || in.has("both") ||
-         in.has("combination");
+         in.has("condition") || in.has("factors") || in.has("squares") || in.has("combination");
 }
 
 Computation read_computation(const Reader& in) {

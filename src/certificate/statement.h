@@ -99,9 +99,8 @@ struct Zero {
 };
 
 /// `formula relation 0` at every point of the domain at which all functions of the obligation
-/// have a value. Each variable of the formula
-/// and of the constraints belongs to a factor. With no factor: a statement about
-/// one real number.
+/// have a value. A variable of the formula or the constraints that belongs to no factor ranges
+/// over all reals. With no variable: a statement about one real number.
 struct Sign {
   Term formula = 0;
   Relation relation = Relation::positive;

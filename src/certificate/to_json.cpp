@@ -3,6 +3,7 @@
 
 #include <array>
 #include <stdexcept>
+#include <type_traits>
 
 #include "certificate/json.h"
 
@@ -17,14 +18,10 @@ Json list(const std::vector<T>& entries);
 template <typename... Kinds>
 Json to_json(const std::variant<Kinds...>& value);
 
-Json to_json(int number) {
-  return number;
-}
-Json to_json(bool truth) {
-  return truth;
-}
-Json to_json(const std::string& text) {
-  return text;
+template <typename Plain>
+requires(std::is_arithmetic_v<Plain> || std::is_same_v<Plain, std::string>) Json
+    to_json(const Plain& value) {
+  return value;
 }
 
 template <typename T>
@@ -188,15 +185,9 @@ Json to_json(const Computation&) {
 }
 
 Json to_json(const Step& step) {
-  switch (step.kind) {
-    case Step::Kind::plain:
-      return "plain";
-    case Step::Kind::outside:
-      return {{"outside", step.index}};
-    case Step::Kind::split:
-      return {{"split", step.index}, {"at", list(step.weights)}};
-  }
-  throw FormatError("a step of no kind");
+  if (step.kind == Step::Kind::plain) return "plain";
+  if (step.kind == Step::Kind::outside) return {{"outside", step.index}};
+  return {{"split", step.index}, {"at", list(step.weights)}};
 }
 
 Json members(const Pieces& pieces) {
@@ -213,6 +204,21 @@ Json to_json(const Pieces& pieces) {
   return {{"pieces", members(pieces)}};
 }
 
+// The terms are as many weights, squares and, for a strict sign, cofactors.
+Json squares(const Reduction& reduction) {
+  const auto n = static_cast<long>(reduction.terms.size() / (reduction.parts.empty() ? 2 : 3));
+  const auto begin = reduction.terms.begin();
+  const auto share = [&](long k) {
+    return list(std::vector(begin + k * n, begin + (k + 1) * n));
+  };
+  Json value = {{"squares", share(1)}, {"weights", share(0)}};
+  if (reduction.parts.empty()) return value;
+  value["excluded"] = list(reduction.conditions);
+  value["cofactors"] = share(2);
+  value["ideal"] = to_json(reduction.parts.front());
+  return value;
+}
+
 Json to_json(const Reduction& reduction) {
   const auto part = [&reduction](std::size_t i) { return to_json(reduction.parts.at(i)); };
   switch (reduction.kind) {
@@ -225,6 +231,12 @@ Json to_json(const Reduction& reduction) {
       return {{"both", list(reduction.parts)}};
     case Reduction::Kind::cases:
       return {{"cases", reduction.terms.at(0)}, {"above", part(0)}, {"below", part(1)}};
+    case Reduction::Kind::condition:
+      return {{"condition", reduction.conditions.at(0)}, {"times", reduction.terms.at(0)}};
+    case Reduction::Kind::factors:
+      return {{"factors", list(reduction.terms)}, {"parts", list(reduction.parts)}};
+    case Reduction::Kind::squares:
+      return squares(reduction);
     case Reduction::Kind::combination:
       return {{"combination", list(reduction.conditions)},
               {"cofactors", list(reduction.terms)},

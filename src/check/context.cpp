@@ -241,6 +241,14 @@ std::set<int> Context::variables(const std::vector<std::string>& names) const {
   return result;
 }
 
+std::set<int> Context::variables(const Polynomial& p) const {
+  std::set<int> result;
+  for (const auto& [monomial, coefficient] : p.terms)
+    for (int i = generators_; i < std::ssize(monomial); ++i)
+      if (exponent(monomial, i) > 0) result.insert(i);
+  return result;
+}
+
 bool Context::depends_only_on(const Polynomial& p, const std::set<int>& variables) const {
   return std::ranges::all_of(p.terms, [&](const auto& term) {
     const Monomial& monomial = term.first;

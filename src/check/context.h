@@ -49,6 +49,8 @@ class Context {
   /// The symbol of a variable or a function. Throws `Open` if the name is none.
   int variable(const std::string& name) const;
   std::set<int> variables(const std::vector<std::string>& names) const;
+  /// The symbols in it that are no generators.
+  std::set<int> variables(const Polynomial&) const;
   /// From this symbol on, none stands in a formula.
   int free_symbol() const { return static_cast<int>(symbols_.size()); }
   /// Whether it holds, beside numbers, these symbols alone.

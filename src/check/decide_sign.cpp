@@ -8,6 +8,8 @@
 // coordinate more. Which functions: those that the terms hold as written, not those left in
 // normal form.
 //
+// A variable that belongs to no factor is a line of the domain: it takes every real value.
+//
 // Why a change of sign refutes `nonzero`: a product of simplices, less some facets, is
 // convex, so the segment between the two points lies in it, and a polynomial on
 // it that takes both signs takes 0.
@@ -32,9 +34,18 @@ struct Stated {
 Stated read(Context& context, const Sign& sign) {
   std::vector<Term> terms = {sign.formula};
   for (const auto& condition : sign.domain.where) terms.push_back(condition.formula);
-  Stated stated{context.functions(std::move(terms)), {}, {}, sign.relation};
-  stated.domain = make_region(context, sign.domain, stated.functions);
-  stated.formula = context.value(sign.formula);
+  Stated stated{context.functions(terms), {}, context.value(sign.formula), sign.relation};
+  std::set<int> free = context.variables(stated.formula);
+  for (const Term term : terms) free.merge(context.variables(context.value(term)));
+  for (const int function : stated.functions)
+    free.merge(context.variables(context.operand(function)));
+  for (const int function : stated.functions) free.erase(function);
+  for (const auto& factor : sign.domain.factors)
+    for (const std::string& name : factor.variables) free.erase(context.variable(name));
+  std::set<int> others = stated.functions;
+  others.insert(free.begin(), free.end());
+  stated.domain = make_region(context, sign.domain, others);
+  stated.domain.lines = std::move(free);
   return stated;
 }
 

@@ -101,7 +101,7 @@ Factor make_factor(Context& context, std::vector<int> variables,
 }
 
 Region make_region(Context& context, const certificate::Domain& domain,
-                   const std::set<int>& functions) {
+                   const std::set<int>& others) {
   Region region;
   std::set<int> all;
   int next = context.free_symbol();
@@ -112,7 +112,7 @@ Region make_region(Context& context, const certificate::Domain& domain,
       demand(all.insert(variable).second, "degenerate: a variable is named twice");
     region.factors.push_back(std::move(factor));
   }
-  all.insert(functions.begin(), functions.end());
+  all.insert(others.begin(), others.end());
   for (const auto& [formula, relation] : domain.where) {
     region.where.push_back({context.value(formula), relation});
     demand(context.depends_only_on(region.where.back().formula, all),
@@ -153,8 +153,17 @@ Region with_functions(Context& context, Region region, const std::set<int>& func
   return region;
 }
 
+Region without_lines(Context& context, const Region& region) {
+  if (region.lines.empty()) return region;
+  Region result{region.factors, {}, {}};
+  const std::set<int> bounded = variables(result);
+  for (const Condition& condition : region.where)
+    if (context.depends_only_on(condition.formula, bounded)) result.where.push_back(condition);
+  return result;
+}
+
 std::set<int> variables(const Region& region) {
-  std::set<int> all;
+  std::set<int> all = region.lines;
   for (const Factor& factor : region.factors)
     all.insert(factor.variables.begin(), factor.variables.end());
   return all;

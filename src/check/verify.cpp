@@ -14,6 +14,11 @@
 //   combination   f is the rest and the sum of the h_i e_i. With e_i = 0 that is nothing; else
 //                 e_i and h_i have signs for which h_i e_i, added to a number of relation R,
 //                 keeps it.
+//   condition     f is a multiple of what has a sign there.
+//   factors       a product of positive numbers is positive, of numbers that are not 0 not 0.
+//   squares       a sum of squares, with weights of one sign, has that sign or is 0; and 0 only
+//                 where all the squares are. There the product of the conditions, a sum of
+//                 multiples of what was squared, would be 0; but none of its factors is.
 //   square        with f = s^2 c, f >= 0 where c >= 0.
 //
 // All terms are taken in normal form: what that changes is 0 at points of the region, where
@@ -45,8 +50,12 @@ int direction(Relation relation) {
   return upward == holds(relation, -1) ? 0 : upward ? 1 : -1;
 }
 
-void verify_pieces(Context& context, const Region& region, const Polynomial& formula,
+// The pieces are about factors alone; a proof on all that lies over a domain is one on it.
+void verify_pieces(Context& context, const Region& whole, const Polynomial& formula,
                    Relation relation, const Pieces& pieces) {
+  const Region region = without_lines(context, whole);
+  demand(context.depends_only_on(formula, variables(region)),
+         "pieces of a formula with a variable that has no bounds");
   if (pieces.square < 0) {
     const bool is_nonzero = relation == Relation::nonzero;
     demand(
@@ -64,6 +73,71 @@ void verify_pieces(Context& context, const Region& region, const Polynomial& for
       ring.difference(ring.product(ring.product(square, square), cofactor), formula).is_zero(),
       "the formula is not the square times the cofactor");
   verify(context, region, cofactor, relation, pieces.steps);
+}
+
+bool implies(Relation known, int scale, Relation relation) {
+  for (const int sign : {-1, 0, 1})
+    if (holds(known, sign) && !holds(relation, scale * sign)) return false;
+  return true;
+}
+
+void verify_condition(Context& context, const Region& region, const Polynomial& formula,
+                      Relation relation, const Reduction& shown) {
+  const auto index = static_cast<std::size_t>(shown.conditions[0]);
+  demand(index < region.where.size(), "the evidence names a condition that is none");
+  const Polynomial times = context.number(shown.terms[0]);
+  const Polynomial multiple = context.ring().product(times, region.where[index].formula);
+  demand(context.ring().difference(multiple, formula).is_zero() &&
+             implies(region.where[index].relation, context.tower().sign(times), relation),
+         "the condition does not say so");
+}
+
+void verify_factors(Context& context, const Region& region, const Polynomial& formula,
+                    Relation relation, const Reduction& shown) {
+  const int side = direction(relation);
+  demand(side != 0 || relation == Relation::nonzero, "factors do not show that a formula is 0");
+  const Relation wanted = side == 0            ? Relation::nonzero
+                          : holds(relation, 0) ? Relation::nonnegative
+                                               : Relation::positive;
+  Polynomial product = constant(side < 0 ? -1 : 1);
+  for (std::size_t i = 0; i < shown.terms.size(); ++i) {
+    const Polynomial factor = read_term(context, region, shown.terms[i]);
+    product = context.ring().product(product, factor);
+    verify(context, region, factor, wanted, shown.parts[i]);
+  }
+  demand(context.ring().difference(product, formula).is_zero(),
+         "the formula is not the product of the factors");
+}
+
+void verify_squares(Context& context, const Region& region, Polynomial formula,
+                    Relation relation, const Reduction& shown) {
+  Ring& ring = context.ring();
+  const bool is_strict = !shown.parts.empty();
+  const std::size_t count = shown.terms.size() / (is_strict ? 3 : 2);
+  int side = 0;
+  Polynomial ideal = constant(1);
+  for (const int condition : shown.conditions) {
+    const auto index = static_cast<std::size_t>(condition);
+    demand(index < region.where.size(), "the evidence names a condition that is none");
+    demand(!holds(region.where[index].relation, 0), "the condition does not exclude 0");
+    ideal = ring.product(ideal, region.where[index].formula);
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const Polynomial weight = context.number(shown.terms[i]);
+    const int sign = context.tower().sign(weight);
+    demand(sign != 0 && (side == 0 || sign == side), "weights of different signs");
+    side = sign;
+    const Polynomial q = read_term(context, region, shown.terms[count + i]);
+    formula = ring.difference(std::move(formula), ring.product(weight, ring.product(q, q)));
+    if (is_strict)
+      ideal = ring.difference(
+          std::move(ideal),
+          ring.product(read_term(context, region, shown.terms[2 * count + i]), q));
+  }
+  demand(formula.is_zero(), "the formula is not the sum of the squares");
+  if (is_strict) verify(context, region, ideal, Relation::zero, shown.parts[0]);
+  demand((is_strict || holds(relation, 0)) && (side == 0 || holds(relation, side)),
+         "squares do not show this relation");
 }
 
 void verify_cases(Context& context, const Region& region, const Polynomial& formula,
@@ -147,6 +221,15 @@ void verify(Context& context, const Region& region, const Polynomial& formula,
       return;
     case Reduction::Kind::cases:
       verify_cases(context, region, formula, relation, reduction);
+      return;
+    case Reduction::Kind::condition:
+      verify_condition(context, region, formula, relation, reduction);
+      return;
+    case Reduction::Kind::factors:
+      verify_factors(context, region, formula, relation, reduction);
+      return;
+    case Reduction::Kind::squares:
+      verify_squares(context, region, formula, relation, reduction);
       return;
     case Reduction::Kind::combination:
       verify_combination(context, region, formula, relation, reduction);

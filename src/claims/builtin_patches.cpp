@@ -2,6 +2,7 @@
 #include <numeric>
 
 #include "claims/builtin.h"
+#include "claims/chart.h"
 
 namespace seam::claims {
 namespace {
@@ -25,9 +26,9 @@ Vector scalars(const Call& call, const Point& point) {
   return result;
 }
 
-Field field(const Call& call, const Patch& patch, const geometry::Quotient& quotient) {
+Field field(const Call& call, Patch::Shape shape, const geometry::Quotient& quotient) {
   Numbers& numbers = call.evaluator.numbers;
-  return {patch.shape(),
+  return {shape,
           {divide(scalar_of(quotient.numerator, numbers),
                   scalar_of(quotient.denominator, numbers), numbers)}};
 }
@@ -36,20 +37,31 @@ Patch patch(const Call& call) {
   return call.get<Patch>(0, "a patch");
 }
 
-Patch patch_in_space(const Call& call) {
-  Patch p = patch(call);
-  if (p.dimension() != 3) fail(call[0], "expected a patch in space, with three coordinates");
-  return p;
+// The domain of a patch, or of a function on one; a function of two numbers is taken on the
+// square.
+Patch::Shape shape_of(const Value& value) {
+  if (const auto* patch = value.as<Patch>()) return patch->shape();
+  const auto* field = value.as<Field>();
+  return field ? field->shape : Patch::Shape::square;
+}
+
+geometry::Chart chart(const Call& call, const Value& value) {
+  if (auto found = chart_of(call.evaluator, value)) return *found;
+  fail(call[0], "expected a patch, found " + description(value));
+}
+
+geometry::Chart chart_in_space(const Call& call, const Value& value) {
+  geometry::Chart y = chart(call, value);
+  if (y.derivative(0, 0).size() != 3)
+    fail(call[0], "expected a patch in space, with three coordinates");
+  return y;
 }
 
 Value derivative(const Call& call, int i, int j) {
   const Value value = call.value(0);
-  if (const auto* curve = value.as<Curve>()) {
-    const Point d = geometry::derivative(*curve, i + j, u());
-    return {CurveField{scalars(call, d)}};
-  }
-  const Patch p = patch(call);
-  return {Field{p.shape(), scalars(call, geometry::derivative(p, i, j, u(), v()))}};
+  if (const auto x = arc_of(call.evaluator, value))
+    return {CurveField{scalars(call, x->derivative(i + j)), x->is_segment}};
+  return {Field{shape_of(value), scalars(call, chart(call, value).derivative(i, j))}};
 }
 
 Value d1(const Call& call) {
@@ -65,8 +77,8 @@ Value d(const Call& call) {
 }
 
 Value normal(const Call& call) {
-  const Patch p = patch_in_space(call);
-  return {Field{p.shape(), scalars(call, geometry::normal(p, u(), v()))}};
+  const Value value = call.value(0);
+  return {Field{shape_of(value), scalars(call, geometry::normal(chart_in_space(call, value)))}};
 }
 
 Value gauss(const Call& call) {
@@ -74,11 +86,10 @@ Value gauss(const Call& call) {
   if (const auto* surface = value.as<geometry::Surface>()) {
     SurfaceField result;
     for (const Patch& p : surface->patches)
-      result.fields.push_back(field(call, p, geometry::gauss(p, u(), v())));
+      result.fields.push_back(field(call, p.shape(), geometry::gauss(p, u(), v())));
     return {result};
   }
-  const Patch p = patch_in_space(call);
-  return {field(call, p, geometry::gauss(p, u(), v()))};
+  return {field(call, shape_of(value), geometry::gauss(chart_in_space(call, value)))};
 }
 
 Value control(const Call& call) {

@@ -69,6 +69,7 @@ Net net(const Call& call, std::size_t i) {
   const bool is_row = !rows.empty() && rows.front().as<Vector>() != nullptr;
   for (const Value& row : is_row ? std::vector<Value>{value} : rows)
     result.push_back(as_points(call.evaluator, row, call[i]));
+  if (result.empty() || result.front().empty()) fail(call[i], "a net without points");
   for (const auto& row : result)
     if (row.size() != result.front().size() ||
         row.front().size() != result.front().front().size())

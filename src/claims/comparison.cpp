@@ -44,6 +44,10 @@ Relation flipped(Relation relation) {
   }
 }
 
+// A line is two halves, each a factor of the domain, where it is one of few; there every way to
+// prove is open. One of many stays free.
+constexpr std::size_t most_halved = 4;
+
 bool touches(const Simplex& factor, const std::set<std::string>& variables) {
   return std::ranges::any_of(factor.variables,
                              [&](const auto& v) { return variables.contains(v); });
@@ -123,8 +127,7 @@ void Stating::guard_roots(const Formula& f, const Context& context, const Expres
 }
 
 std::vector<symbolic::Domain> Stating::halved(const Range& range) {
-  if (range.lines.size() > 4)
-    throw Unsupported("an inequality for all values of more than four reals");
+  if (range.lines.size() > most_halved) return {range.domain};
   std::vector<symbolic::Domain> domains = {range.domain};
   for (const std::string& line : range.lines) {
     std::vector<symbolic::Domain> halves;
@@ -141,15 +144,26 @@ std::vector<symbolic::Domain> Stating::halved(const Range& range) {
 
 std::vector<symbolic::Domain> Stating::domains(const std::set<std::string>& variables,
                                                const Context& context, const Expression& at) {
-  return halved(range(variables, context, at));
+  const Range all = range(variables, context, at);
+  if (all.lines.size() > most_halved)
+    throw Unsupported("roots and systems for all values of more than four reals");
+  return halved(all);
 }
 
-Proposition Stating::holds(const Formula& stated, Relation relation, const Context& context,
+Proposition Stating::holds(const Formula& f, Relation relation, const Context& context,
                            const Expression& at, const std::string& about) {
+  const Independent all = independent(f, context);
+  Proposition p = holds_for_all(all.formula, relation, all.context, at, about);
+  return all.is_exact ? p : sufficient(std::move(p));
+}
+
+Proposition Stating::holds_for_all(const Formula& stated, Relation relation,
+                                   const Context& context, const Expression& at,
+                                   const std::string& about) {
   guard_roots(stated, context, at);
   Range range = this->range(symbolic::variables(stated), context, at);
   Formula f = stated;
-  if (!range.domain.where.empty()) simplify(f, range);
+  if (!range.domain.where.empty() && !context.functions) simplify(f, range);
   if (relation == Relation::zero && range.domain.where.empty()) {
     if (is_entire(f)) return symbolic::atom(symbolic::Zero{f}, about);
     // A polynomial in a line's variable is 0 everywhere when it is on [0, 1].
@@ -161,8 +175,10 @@ Proposition Stating::holds(const Formula& stated, Relation relation, const Conte
     });
   }
   std::vector<Proposition> parts;
-  for (symbolic::Domain& d : halved(range))
-    parts.push_back(symbolic::atom(symbolic::Sign{f, relation, std::move(d)}, about));
+  const bool stays_free = context.functions && !context.is_unconditional();
+  const auto all = stays_free ? std::vector<symbolic::Domain>{range.domain} : halved(range);
+  for (const symbolic::Domain& d : all)
+    parts.push_back(symbolic::atom(symbolic::Sign{f, relation, d}, about));
   return parts.size() == 1 ? parts.front() : symbolic::all(std::move(parts), about);
 }
 
@@ -201,7 +217,9 @@ std::optional<exact::Sign> Stating::likely_sign(const Formula& f, const Context&
 std::optional<exact::Sign> Stating::guard_divisor(const Formula& divisor,
                                                   const Context& context,
                                                   const Expression& at) {
-  const auto sign = context.where.empty() ? likely_sign(divisor, context) : std::nullopt;
+  const Independent all = independent(divisor, context);
+  const auto sign =
+      context.is_unconditional() ? likely_sign(all.formula, all.context) : std::nullopt;
   const Relation relation = !sign                            ? Relation::nonzero
                             : *sign == exact::Sign::positive ? Relation::positive
                                                              : Relation::negative;

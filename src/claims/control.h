@@ -45,7 +45,9 @@ constexpr const char* what() {
   else if constexpr (is_a<Rule, rounds_sign>)
     return "'~' and the printed values";
   else if constexpr (is_a<Rule, type_name>)
-    return "'integer' or 'vector' and a dimension";
+    return "'integer', 'vector' and a dimension, or 'function'";
+  else if constexpr (is_a<Rule, is_generic>)
+    return "'generic'";
   else if constexpr (is_a<Rule, expectation>)
     return "'refuted' or 'undecided'";
   else if constexpr (is_a<Rule, any_shape>)

@@ -110,7 +110,8 @@ class Evaluator {
   std::vector<Parameter> parameters;
   std::vector<std::string> any_meshes;  ///< parameters that stand for any mesh
   Integers integers;
-  std::map<std::string, std::size_t> sums;  ///< up to integer parameters, numbered
+  std::vector<std::pair<Formula, std::string>> jets;  ///< see Stating::independent
+  std::map<std::string, std::size_t> sums;            ///< up to integer parameters, numbered
   std::set<std::string> hidden;  ///< parameters that unknown values of sequences and sums hold
   std::multiset<std::string> varied;            ///< variables that arguments name at present
   std::vector<symbolic::Proposition> sides;     ///< of what is being evaluated

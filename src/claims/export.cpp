@@ -107,6 +107,9 @@ class Exporter {
 
   // A sine stands behind the cosine of the same operand.
   Term applied(const Formula& f) {
+    if (!symbolic::is_elementary(f.name()))
+      throw Unsupported("an arbitrary function in a statement of this kind: '" + f.name() +
+                        "'");
     const Formula fine = angles_.in_finest(f);
     if (!fine.same(f)) return term(fine);
     const Formula& operand = f.operands()[0];

@@ -50,6 +50,8 @@ std::string paper(const Item& item) {
 }
 
 std::string param(const Item& item) {
+  if (item.type == "vector 3 function" && item.expressions.empty() && !item.where)
+    return "curve " + joined(item.names) + " generic";
   std::string text =
       "param " + joined(item.names) + (item.type.empty() ? "" : " : " + item.type);
   if (!item.expressions.empty()) text = with(text + " in ", item.expressions[0], Level::range);

@@ -120,6 +120,23 @@ struct action<dimension> {
 };
 
 template <>
+struct action<begins_function> {
+  static void apply0(Builder& b) {
+    b.item.type += b.item.type.empty() ? "function" : " function";
+  }
+};
+template <>
+struct action<arity> {
+  static void apply0(Builder& b) { b.item.type += " of " + b.word; }
+};
+template <>
+struct action<some_curves> : begins<Item::Kind::param> {};
+template <>
+struct action<is_generic> {
+  static void apply0(Builder& b) { b.item.type = "vector 3 function"; }
+};
+
+template <>
 struct action<param_where> {
   static void apply0(Builder& b) { b.item.where = b.take(); }
 };

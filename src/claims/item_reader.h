@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "claims/evaluate.h"
+#include "claims/function_type.h"
 #include "claims/meaning.h"
 
 namespace seam::claims {
@@ -39,6 +40,8 @@ class Reader {
   void define_param(const Item& item);
   Definition parameter(const Item& item, const std::string& name);
   void set_condition(const Item& item);
+  std::optional<Value> arbitrary_function(const std::string& name, const FunctionType&,
+                                          const Item&);
   Value root(const Item& item);
   void claim(const Item& item);
   void table(const Item& item);

@@ -54,14 +54,25 @@ struct sequence : peg::if_must<sequence_word, item_name, open_paren, parameter, 
 struct param_name : name {};
 struct dimension : whole_number {};
 struct integer_type : integer_word {};
-struct vector_type : peg::if_must<vector_word, dimension> {};
+struct arity : whole_number {};
+struct begins_function : function_word {};
+struct function_values : peg::if_must<begins_function, peg::opt<peg::if_must<of_word, arity>>> {
+};
+struct vector_type : peg::seq<peg::if_must<vector_word, dimension>, peg::opt<function_values>> {
+};
 struct mesh_type : mesh_word {};
-struct type_name : peg::sor<integer_type, mesh_type, vector_type> {};
+struct type_name : peg::sor<integer_type, mesh_type, vector_type, function_values> {};
 struct type : peg::if_must<colon, type_name> {};
 struct param_set : peg::if_must<in_word, set> {};
 struct param_where : peg::if_must<where_word, where_body> {};
 struct param : peg::if_must<param_word, peg::list_must<param_name, comma>, peg::opt<type>,
                             peg::opt<param_set>, peg::opt<param_where>> {};
+
+// `curve x, y generic`: curves in space, as params that are functions.
+struct some_curves : peg::seq<peg::at<curve_word, some_names, generic_word>, curve_word> {};
+struct is_generic : generic_word {};
+struct generic_curves
+    : peg::if_must<some_curves, peg::list_must<param_name, comma>, is_generic> {};
 
 struct polynomial : item_value {};
 struct root_of : of_word {};
@@ -116,13 +127,13 @@ struct ask : peg::if_must<ask_word, claim_id, header_colon, item_statement, peg:
 
 // ---- a file is a gap and items; each item is read by itself, so that one may fail alone
 
-struct item_word
-    : peg::sor<paper_word, section_word, let_word, sequence_word, param_word, root_word,
-               include_word, define_word, claim_word, table_word, figure_word, ask_word> {};
+struct item_word : peg::sor<paper_word, section_word, let_word, sequence_word, param_word,
+                            root_word, include_word, define_word, claim_word, table_word,
+                            figure_word, ask_word, some_curves> {};
 struct at_line_begin : holds<&Builder::at_line_begin> {};
 struct item_end : peg::sor<peg::eof, peg::seq<at_line_begin, peg::at<item_word>>> {};
-struct item : peg::sor<paper, section, let, sequence, param, root_item, include, define, claim,
-                       table, figure, ask> {};
+struct item : peg::sor<paper, section, let, sequence, param, generic_curves, root_item, include,
+                       define, claim, table, figure, ask> {};
 struct whole_item : peg::seq<peg::must<item>, peg::must<item_end>> {};
 
 struct expression_end : peg::eof {};

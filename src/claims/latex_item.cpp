@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "claims/function_type.h"
 #include "claims/latex.h"
 #include "claims/typeset.h"
 
@@ -20,8 +21,15 @@ std::string member(const std::string& who, const Expression& set) {
   return who + " \\in " + shallow(typeset(set, Level::range, true), set);
 }
 
+std::string space(const std::string& dimension) {
+  return "\\mathbb{R}" + (dimension == "1" ? "" : "^{" + dimension + "}");
+}
+
 std::string param(const Item& item) {
   std::string tex = names(item.names);
+  if (const auto function = FunctionType::of(item.type))
+    return tex + "\\colon " + space(std::to_string(function->arguments)) + " \\to " +
+           space(std::to_string(function->components));
   if (item.type == "integer")
     tex += " \\in \\mathbb{Z}";
   else if (item.type == "mesh")

@@ -103,6 +103,39 @@ exact::Rational binomial(int n, int k) {
   return value;
 }
 
+bool is_bound(const Scope& scope, const std::string& name) {
+  for (const Scope* s = &scope; s; s = s->outer)
+    if (s->values.contains(name)) return true;
+  return false;
+}
+
+// Neither a quotient nor a root nor a function holds these symbols.
+bool is_polynomial_in(const Formula& f, const std::set<std::string>& symbols) {
+  if (f.is_polynomial()) return true;
+  const bool is_function = f.kind() == Formula::Kind::inverse ||
+                           f.kind() == Formula::Kind::root ||
+                           f.kind() == Formula::Kind::applied;
+  if (is_function) {
+    const auto held = symbolic::symbols(f);
+    return std::ranges::none_of(symbols, [&](const auto& s) { return held.contains(s); });
+  }
+  return std::ranges::all_of(f.operands(),
+                             [&](const Formula& g) { return is_polynomial_in(g, symbols); });
+}
+
+// A point that is no polynomial, as a function on the domain of the patch.
+Value formula_field(Evaluator& evaluator, const Expression& e, const Point& point,
+                    const std::string& u, const std::string& v) {
+  const std::map<std::string, Formula> parameters = {
+      {u, Formula::symbol(geometry::parameter_u)}, {v, Formula::symbol(geometry::parameter_v)}};
+  std::vector<Scalar> components;
+  for (const Formula& coordinate : point)
+    components.push_back(scalar_of(symbolic::subst(coordinate, parameters), evaluator.numbers));
+  if (e.text == "curve") return {CurveField{std::move(components)}};
+  return {Field{e.text == "triangle_patch" ? Patch::Shape::triangle : Patch::Shape::square,
+                std::move(components)}};
+}
+
 // The control points of a polynomial point: coefficient of u^a v^b spread over the
 // Bernstein polynomials of the wanted degree.
 Value formula_patch(Evaluator& evaluator, const Expression& e, const Scope& scope) {
@@ -110,9 +143,19 @@ Value formula_patch(Evaluator& evaluator, const Expression& e, const Scope& scop
   const std::string u = evaluator.bind("u"), v = evaluator.bind("v");
   inner.values["u"] = {Scalar(Formula::symbol(u))};
   inner.values["v"] = {Scalar(Formula::symbol(v))};
+  const auto add = [&](const std::string& name, const std::string& symbol) {
+    if (!is_bound(scope, name) && !evaluator.globals.contains(name))
+      inner.values[name] = {Scalar(Formula::symbol(symbol))};
+  };
+  if (e.text != "curve") add("s", u);
+  add("t", e.text == "curve" ? u : v);
   const Point point = control_point(evaluator, e.children[0], inner);
   evaluator.release(u);
   evaluator.release(v);
+  if (!std::ranges::all_of(point, [&](const Formula& f) {
+        return is_polynomial_in(f, {u, v});
+      }))
+    return formula_field(evaluator, e, point, u, v);
 
   std::vector<symbolic::Coefficients> coordinates;
   int degree_u = 1, degree_v = 1, total = 1;

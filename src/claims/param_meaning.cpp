@@ -16,6 +16,27 @@ bool is_taken(const std::string& name) {
   return std::ranges::find(taken, name) != taken.end();
 }
 
+// Its components are named like those of a symbolic point; nothing else has that name.
+std::optional<Value> Reader::arbitrary_function(const std::string& name,
+                                                const FunctionType& type, const Item& item) {
+  if (!item.expressions.empty() || item.where || type.arguments < 1 || type.arguments > 2 ||
+      type.components < 1 || type.components > 100) {
+    report({item.span, "expected a function of 1 or 2 numbers, with no set and no condition",
+            "what is said of it under an assumption is stated with 'implies'"});
+    return std::nullopt;
+  }
+  std::vector<Formula> operands = {Formula::symbol(geometry::parameter_u)};
+  if (type.arguments == 2) operands.push_back(Formula::symbol(geometry::parameter_v));
+  std::vector<Scalar> components;
+  for (int i = 1; i <= type.components; ++i) {
+    const std::string function =
+        evaluator_.bind(type.components == 1 ? name : name + "[" + std::to_string(i) + "]");
+    components.push_back(scalar_of(Formula::applied(function, operands), *meaning_.numbers));
+  }
+  if (type.arguments == 1) return Value{CurveField{std::move(components), false}};
+  return Value{Field{geometry::Patch::Shape::square, std::move(components)}};
+}
+
 Definition Reader::parameter(const Item& item, const std::string& name) {
   Definition definition{&item, {}, {}, false, {}};
   if (item.type == "integer") {
@@ -26,6 +47,11 @@ Definition Reader::parameter(const Item& item, const std::string& name) {
   }
   if (item.type == "mesh") {
     definition.value = Value{any_mesh(evaluator_, name)};
+    return definition;
+  }
+  if (const auto type = FunctionType::of(item.type)) {
+    definition.value = arbitrary_function(name, *type, item);
+    definition.broken = !definition.value;
     return definition;
   }
   if (!item.type.empty()) {

@@ -2,10 +2,8 @@
 #include <algorithm>
 
 #include "claims/builtin.h"
+#include "claims/predicate_table.h"
 #include "claims/stating.h"
-#include "geometry/contact.h"
-#include "geometry/similarity.h"
-#include "geometry/truncation.h"
 #include "symbolic/coefficients.h"
 
 // Predicates of the language by name, and statements that a file defines.
@@ -16,223 +14,6 @@ namespace {
 using geometry::Criterion;
 using geometry::Curve;
 using geometry::Patch;
-using geometry::Property;
-using geometry::Surface;
-
-constexpr int max_order = 8;
-
-struct Arguments {
-  Evaluator& evaluator;
-  const Expression& at;
-  geometry::Search search;
-  std::vector<Value> values;
-
-  const Expression& place(std::size_t i) const { return at.children[i + 1]; }
-  const Numbers& numbers() const { return evaluator.numbers; }
-  const Patch& patch(std::size_t i) const {
-    const auto* found = values[i].as<Patch>();
-    if (!found) fail(place(i), "expected a patch, found " + description(values[i]));
-    if (found->dimension() != 3)
-      fail(place(i), "expected a patch in space, with three coordinates");
-    return *found;
-  }
-  const Surface& surface(std::size_t i) const {
-    const auto* found = values[i].as<Surface>();
-    if (!found)
-      fail(place(i), "expected a surface, found " + description(values[i]),
-           "surface([p, q]) and orbit(p, G) are surfaces");
-    return *found;
-  }
-  const geometry::Mesh& mesh(std::size_t i) const {
-    const auto* found = values[i].as<geometry::Mesh>();
-    if (values[i].as<AnyMesh>() || values[i].as<IteratedMesh>())
-      throw Unsupported("this predicate of " + description(values[i]));
-    if (!found) fail(place(i), "expected a mesh, found " + description(values[i]));
-    require_faces(*found, place(i));
-    return *found;
-  }
-  int order(std::size_t i) const {
-    const long order = as_integer(evaluator, values[i], place(i));
-    if (order < 0 || order > max_order)
-      fail(place(i), "expected an order from 0 to " + std::to_string(max_order));
-    return static_cast<int>(order);
-  }
-};
-
-using Predicate = Criterion (*)(const Arguments&);
-struct Entry {
-  int least, most;
-  Predicate state;
-};
-
-Criterion regular(const Arguments& a) {
-  return {geometry::regular(a.patch(0))};
-}
-
-// Two patches from the first argument on that is one.
-Criterion meeting(const Arguments& a, std::size_t first, const geometry::Condition& condition) {
-  return geometry::along_a_common_side(a.patch(first), a.patch(first + 1), condition, a.search);
-}
-Criterion g0(const Arguments& a) {
-  return meeting(a, 0, [](const geometry::Contact& c) { return geometry::g0(c); });
-}
-Criterion g1(const Arguments& a) {
-  if (a.values.size() == 1) return {geometry::g1(a.surface(0), a.numbers())};
-  return meeting(a, 0, [](const geometry::Contact& c) { return geometry::g1(c); });
-}
-Criterion g2(const Arguments& a) {
-  if (a.values.size() == 1) return {geometry::g2(a.surface(0), a.numbers())};
-  return meeting(a, 0, [](const geometry::Contact& c) { return geometry::g2(c); });
-}
-
-// Two curves, if the second argument is one.
-std::optional<std::pair<Curve, Curve>> curves(const Arguments& a) {
-  const auto *x = a.values[1].as<Curve>(), *y = a.values[2].as<Curve>();
-  if (!x) return std::nullopt;
-  if (!y) fail(a.place(2), "expected a curve, found " + description(a.values[2]));
-  if (x->control[0].size() != y->control[0].size())
-    fail(a.place(2), "these curves lie in spaces of different dimensions");
-  return std::pair(*x, *y);
-}
-Criterion g_of_order(const Arguments& a) {
-  const int order = a.order(0);
-  if (const auto pair = curves(a))
-    return {geometry::equal_jets(pair->first, pair->second, order)};
-  return meeting(a, 1,
-                 [=](const geometry::Contact& c) { return geometry::equal_jets(c, order); });
-}
-Criterion c_of_order(const Arguments& a) {
-  const int order = a.order(0);
-  if (const auto pair = curves(a))
-    return {geometry::equal_derivatives(pair->first, pair->second, order)};
-  if (a.patch(1).shape() != a.patch(2).shape())
-    fail(a.place(2), "equal derivatives are for two triangle patches or two quad patches");
-  return meeting(
-      a, 1, [=](const geometry::Contact& c) { return geometry::equal_derivatives(c, order); });
-}
-
-// A mesh that is truncated `least` times or more: as it is then, or, where some vertex has
-// other than three edges, once again; from there on by induction.
-Criterion planar_for_ever(const IteratedMesh& m) {
-  std::vector<Proposition> parts;
-  if (const auto* any = std::get_if<AnyMesh>(&m.mesh)) {
-    if (!any->planar || !any->trivalent)
-      throw Unsupported(
-          "the planarity of an arbitrary mesh that is not supposed planar and 3-valent");
-  } else {
-    geometry::Mesh mesh = std::get<geometry::Mesh>(m.mesh);
-    for (long k = 0; k < m.least; ++k) mesh = geometry::truncate(mesh, m.ratio);
-    const auto at = [&](long k) {
-      return "base: " + m.parameter + " = " + std::to_string(m.first + k);
-    };
-    parts.push_back(geometry::has(mesh, Property::planar, {}, at(0)));
-    const bool trivalent = geometry::is_trivalent(mesh);
-    if (!trivalent) {
-      mesh = geometry::truncate(mesh, m.ratio);
-      parts.push_back(geometry::has(mesh, Property::planar, {}, at(1)));
-    }
-    parts.push_back(geometry::has(mesh, Property::valences, geometry::valences(mesh),
-                                  at(trivalent ? 0 : 1)));
-  }
-  parts.push_back(geometry::planarity_step(m.ratio));
-  return {symbolic::all(std::move(parts))};
-}
-
-bool is_mesh(const Value& value) {
-  return value.as<geometry::Mesh>() || value.as<AnyMesh>() || value.as<IteratedMesh>();
-}
-
-template <Property property>
-Criterion of_mesh(const Arguments& a) {
-  return {geometry::has(a.mesh(0), property)};
-}
-
-Criterion closed(const Arguments& a) {
-  if (is_mesh(a.values[0])) return of_mesh<Property::closed>(a);
-  return {geometry::closed(a.surface(0), a.numbers())};
-}
-Criterion convex(const Arguments& a) {
-  if (is_mesh(a.values[0])) return of_mesh<Property::convex>(a);
-  return {geometry::convex(a.surface(0), a.numbers())};
-}
-
-Criterion interpolates(const Arguments& a) {
-  const auto* patch = a.values[0].as<Patch>();
-  const Surface s = patch ? glue({a.patch(0)}, a.place(0), a.numbers()) : a.surface(0);
-  auto points = a.values[1].as<geometry::Mesh>()
-                    ? a.values[1].as<geometry::Mesh>()->vertices
-                    : as_points(a.evaluator, a.values[1], a.place(1));
-  if (points.empty()) fail(a.place(1), "no points to interpolate");
-  if (points[0].size() != 3) fail(a.place(1), "expected points with three coordinates");
-  for (const auto& point : points)
-    for (const Formula& entry : point)
-      if (!symbolic::is_number(entry))
-        throw Unsupported("interpolation of points that hold variables");
-  return {geometry::interpolates(s, points, a.numbers())};
-}
-
-Criterion trivalent(const Arguments& a) {
-  if (const auto* any = a.values[0].as<AnyMesh>()) {
-    if (any->trivalent) return {symbolic::truth()};
-    throw Unsupported("the valences of an arbitrary mesh");
-  }
-  const int vertices = static_cast<int>(a.mesh(0).vertices.size());
-  return {
-      geometry::has(a.mesh(0), Property::valences, {3, vertices}, "every vertex is 3-valent")};
-}
-
-Criterion planar(const Arguments& a) {
-  if (const auto* m = a.values[0].as<IteratedMesh>()) return planar_for_ever(*m);
-  if (const auto* any = a.values[0].as<AnyMesh>())
-    return planar_for_ever({*any, Formula::symbol("r~"), 0, {}, 0});
-  if (a.values[0].as<geometry::Mesh>()) return of_mesh<Property::planar>(a);
-  const auto points = as_points(a.evaluator, a.values[0], a.place(0));
-  if (points.empty() || points[0].size() != 3)
-    fail(a.place(0), "expected points with three coordinates");
-  return {geometry::planar(points)};
-}
-// The search looks for patches carried to patches with their parameters; that it finds nothing
-// refutes nothing, for the same point set may have other parameters.
-void require_similar(const Arguments& a) {
-  if (!geometry::find_similarity(a.surface(0), a.surface(1), a.evaluator.numbers))
-    throw Unsupported("no similarity was found that carries patches to patches");
-}
-Criterion similar(const Arguments& a) {
-  require_similar(a);
-  return {geometry::similar(a.surface(0), a.surface(1), a.evaluator.numbers)};
-}
-Criterion congruent(const Arguments& a) {
-  require_similar(a);
-  return {geometry::congruent(a.surface(0), a.surface(1), a.evaluator.numbers)};
-}
-
-const std::map<std::string, Entry>& table() {
-  static const std::map<std::string, Entry> all = {
-      {"regular", {1, 1, regular}},
-      {"G0", {2, 2, g0}},
-      {"G1", {1, 2, g1}},
-      {"G2", {1, 2, g2}},
-      {"G", {3, 3, g_of_order}},
-      {"C", {3, 3, c_of_order}},
-      {"closed", {1, 1, closed}},
-      {"convex", {1, 1, convex}},
-      {"interpolates", {2, 2, interpolates}},
-      {"planar", {1, 1, planar}},
-      {"connected", {1, 1, of_mesh<Property::connected>}},
-      {"manifold", {1, 1, of_mesh<Property::manifold>}},
-      {"orientable", {1, 1, of_mesh<Property::orientable>}},
-      {"trivalent", {1, 1, trivalent}},
-      {"oriented", {1, 1, of_mesh<Property::oriented>}},
-      {"similar", {2, 2, similar}},
-      {"congruent", {2, 2, congruent}}};
-  return all;
-}
-
-const std::set<std::string>& later() {
-  static const std::set<std::string> names = {"pregeodesic", "developable", "ruled",
-                                              "cylindrical"};
-  return names;
-}
 
 // The variables of an atom that it does not range over itself.
 std::set<std::string> open_variables(const Proposition& atom) {
@@ -249,6 +30,12 @@ std::set<std::string> open_variables(const Proposition& atom) {
   return open;
 }
 
+bool is_bounded(const Value& value) {
+  const auto* curve = value.as<CurveField>();
+  return value.as<Patch>() || value.as<Field>() || value.as<Curve>() ||
+         (curve && curve->is_segment);
+}
+
 bool mentions_variables(const Proposition& p) {
   if (p.kind == Proposition::Kind::atom) return !open_variables(p).empty();
   return std::ranges::any_of(p.parts, mentions_variables);
@@ -259,11 +46,15 @@ bool is_plain_conjunction(const Proposition& p) {
   return p.kind == Proposition::Kind::all && std::ranges::all_of(p.parts, is_plain_conjunction);
 }
 
-// That no identity holds for all values of the variables.
+// Identities, and conjunctions of them. If none of several holds for all values of the
+// variables, there are values for which none does: a product of polynomials that are not 0 is
+// not. (A product of other functions may be.)
 bool are_identities(const std::vector<Proposition>& parts) {
   return std::ranges::all_of(parts, [](const Proposition& part) {
+    if (part.kind == Proposition::Kind::all) return are_identities(part.parts);
     return part.kind == Proposition::Kind::atom &&
-           std::holds_alternative<symbolic::Zero>(part.atom);
+           std::holds_alternative<symbolic::Zero>(part.atom) &&
+           std::get<symbolic::Zero>(part.atom).formula.is_polynomial();
   });
 }
 
@@ -292,10 +83,37 @@ void collect_guards(const Proposition& p, Criterion::Failure failure,
 }  // namespace
 
 std::vector<std::string> predicate_names() {
-  std::vector<std::string> names(later().begin(), later().end());
-  names.insert(names.end(), {"partition_of_unity", "nonnegative"});
-  for (const auto& predicate : table()) names.push_back(predicate.first);
+  std::vector<std::string> names = {"partition_of_unity", "nonnegative"};
+  for (const auto& predicate : predicate_table()) names.push_back(predicate.first);
   return names;
+}
+
+// Not of one member of a family of patches, but of all together. A polynomial that is not
+// identically 0 is not 0 all over an open set, which strict conditions leave, if anything.
+Proposition Stating::some_nonzero(const std::vector<Formula>& formulas, const Context& context,
+                                  const Expression& at) {
+  Context all = context;
+  all.where.clear();
+  all.given.clear();
+  std::vector<symbolic::Constraint> conditions = context.where;
+  for (const Assumption& assumption : context.given)
+    conditions.insert(conditions.end(), assumption.constraints.begin(),
+                      assumption.constraints.end());
+  const bool are_strict = std::ranges::all_of(conditions, [](const auto& c) {
+    return c.relation == Relation::positive || c.relation == Relation::negative ||
+           c.relation == Relation::nonzero;
+  });
+  std::vector<Proposition> zeros;
+  for (const Formula& f : formulas) {
+    const Independent free = independent(f, all);
+    if (!free.is_exact)
+      throw Unsupported("a patch on which one function has several arguments");
+    if (!conditions.empty() && !(are_strict && free.formula.is_polynomial()))
+      throw Unsupported("whether this patch is a surface at all under this condition");
+    zeros.push_back(symbolic::atom(symbolic::Zero{f}));
+  }
+  return symbolic::negation(settled(symbolic::all(std::move(zeros)), all, at),
+                            "not identically 0");
 }
 
 Proposition Stating::called(const Expression& e, const Scope& scope, const Context& context,
@@ -328,10 +146,8 @@ Proposition Stating::called(const Expression& e, const Scope& scope, const Conte
     return positive ? p : symbolic::negation(std::move(p));
   }
 
-  const auto entry = table().find(name);
-  if (entry == table().end()) {
-    if (later().contains(name))
-      throw Unsupported("the predicate '" + name + "' is not covered yet");
+  const auto entry = predicate_table().find(name);
+  if (entry == predicate_table().end()) {
     std::vector<std::string> known = predicate_names();
     for (const auto& global : evaluator.globals) known.push_back(global.first);
     const std::vector<std::string> functions = builtin_names();
@@ -350,14 +166,21 @@ Proposition Stating::called(const Expression& e, const Scope& scope, const Conte
                      : "") +
                 (entry->second.most == 1 ? " argument" : " arguments") + ", found " +
                 std::to_string(given));
-  for (std::size_t i = 0; i < given; ++i)
-    arguments.values.push_back(evaluator.evaluate(e.children[i + 1], scope));
+  for (std::size_t i = 0; i < given; ++i) {
+    const Expression& argument = e.children[i + 1];
+    const bool is_named = argument.kind == Expression::Kind::named;
+    arguments.values.push_back(
+        evaluator.evaluate(is_named ? argument.children[0] : argument, scope));
+  }
   predicates.insert(name);
-  if (!context.where.empty()) throw Unsupported("a predicate under a condition");
-  auto [p, failure] = entry->second.state(arguments);
-  const bool open = mentions_variables(p);
+  auto [p, failure, nonzero] = entry->second.state(arguments);
+  // A function with what is assumed near one point need not go on like this over a whole patch.
+  if (!context.given.empty() && std::ranges::any_of(arguments.values, is_bounded))
+    failure = Criterion::Failure::says_nothing;
+  const bool open = mentions_variables(p) || !context.is_unconditional();
   const bool refuted_for_all = p.kind == Proposition::Kind::any && are_identities(p.parts) &&
-                               failure == Criterion::Failure::refutes;
+                               failure == Criterion::Failure::refutes &&
+                               context.is_unconditional();
   if (open && (!positive || (!is_plain_conjunction(p) && !refuted_for_all)))
     throw Unsupported(
         "this predicate for all values of a parameter: it is negated, or not along one pair of "
@@ -366,6 +189,7 @@ Proposition Stating::called(const Expression& e, const Scope& scope, const Conte
   collect_guards(p, failure, necessary);
   for (Proposition& guard : necessary) guards.push_back(settled(std::move(guard), context, e));
   p = settled(std::move(p), context, e);
+  if (!nonzero.empty()) p = symbolic::all({std::move(p), some_nonzero(nonzero, context, e)});
   return positive ? p : symbolic::negation(std::move(p));
 }
 

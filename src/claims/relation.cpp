@@ -35,6 +35,31 @@ std::string negated_operation(const std::string& operation) {
   return "<";
 }
 
+namespace {
+
+// Of two tuples of numbers: 0 where they are equal.
+std::optional<Scalar> squared_distance(const std::vector<Value>& a,
+                                       const std::vector<Value>& b) {
+  Scalar sum(0);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const auto *x = a[i].as<Scalar>(), *y = b[i].as<Scalar>();
+    if (!x || !y) return std::nullopt;
+    const Scalar difference = *x - *y;
+    sum = sum + difference * difference;
+  }
+  return sum;
+}
+
+// 0 beside a vector is the vector 0.
+Value beside(const Value& value, const Value& other) {
+  const auto* scalar = value.as<Scalar>();
+  const auto* vector = other.as<Vector>();
+  if (!scalar || !vector || !is_number(*scalar) || !scalar->numerator.is(0)) return value;
+  return {Vector(vector->size())};
+}
+
+}  // namespace
+
 Proposition Stating::entries(const Expression& at, const std::vector<Value>& a,
                              const std::vector<Value>& b, const std::string& operation,
                              const Context& context, bool positive) {
@@ -46,8 +71,10 @@ Proposition Stating::entries(const Expression& at, const std::vector<Value>& a,
     parts.push_back(compare(at, a[i], "=", b[i], context, true));
   Proposition all = symbolic::all(std::move(parts));
   if (equal) return all;
-  if (!context.empty()) throw Unsupported("'!=' of vectors under 'for all' is not covered");
-  return symbolic::negation(std::move(all));
+  if (context.empty()) return symbolic::negation(std::move(all));
+  const auto distance = squared_distance(a, b);
+  if (!distance) throw Unsupported("'!=' of lists under 'for all' is not covered");
+  return compare(at, {*distance}, "!=", {Scalar(0)}, context, true);
 }
 
 namespace {
@@ -65,15 +92,17 @@ bool same_shape(const geometry::Patch& p, const geometry::Patch& q) {
 
 }  // namespace
 
-Proposition Stating::compare(const Expression& at, const Value& a, const std::string& operation,
-                             const Value& b, const Context& context, bool positive) {
+Proposition Stating::compare(const Expression& at, const Value& left,
+                             const std::string& operation, const Value& right,
+                             const Context& context, bool positive) {
+  const Value a = beside(left, right), b = beside(right, left);
   if (const auto* question = a.as<Minimax>())
     return compare_minimax(at, *question, positive ? operation : negated_operation(operation),
                            as_scalar(evaluator, b, at), context);
   if (const auto* extremum = a.as<Extremum>()) {
-    const Value right = b.as<Extremum>() ? evaluator.resolved(b, at) : b;
+    const Value bound = b.as<Extremum>() ? evaluator.resolved(b, at) : b;
     const std::string op = positive ? operation : negated_operation(operation);
-    return compare_extremum(at, *extremum, op, as_scalar(evaluator, right, at), context);
+    return compare_extremum(at, *extremum, op, as_scalar(evaluator, bound, at), context);
   }
   if (b.as<Extremum>() || b.as<Minimax>()) {
     static const std::map<std::string, std::string> mirrored = {
@@ -130,15 +159,10 @@ Proposition Stating::compare(const Expression& at, const Value& a, const std::st
   const auto *c = a.as<geometry::Curve>(), *d = b.as<geometry::Curve>();
   if (c && d) {
     const Formula u = Formula::symbol(geometry::parameter_u);
+    Context everywhere = context;
+    everywhere.lines.push_back(geometry::parameter_u);
     return compare(at, vector_value(geometry::evaluate(*c, u), evaluator.numbers), operation,
-                   vector_value(geometry::evaluate(*d, u), evaluator.numbers),
-                   Context{context.factors,
-                           [&] {
-                             auto l = context.lines;
-                             l.push_back(geometry::parameter_u);
-                             return l;
-                           }(),
-                           context.where},
+                   vector_value(geometry::evaluate(*d, u), evaluator.numbers), everywhere,
                    positive);
   }
   const bool lists = (a.as<List>() || a.as<Vector>() || a.as<MatrixValue>()) &&
@@ -146,14 +170,14 @@ Proposition Stating::compare(const Expression& at, const Value& a, const std::st
   if (!lists)
     fail(at,
          "'" + operation + "' does not compare " + description(a) + " with " + description(b));
-  const auto left = as_items(evaluator, a, at), right = as_items(evaluator, b, at);
-  if (left.size() != right.size()) {
+  const auto entries_a = as_items(evaluator, a, at), entries_b = as_items(evaluator, b, at);
+  if (entries_a.size() != entries_b.size()) {
     if (a.as<Vector>() || b.as<Vector>() || (operation != "=" && operation != "!="))
-      fail(at, "these have " + std::to_string(left.size()) + " and " +
-                   std::to_string(right.size()) + " entries");
+      fail(at, "these have " + std::to_string(entries_a.size()) + " and " +
+                   std::to_string(entries_b.size()) + " entries");
     return (operation == "=") == positive ? symbolic::falsehood() : symbolic::truth();
   }
-  return entries(at, left, right, operation, context, positive);
+  return entries(at, entries_a, entries_b, operation, context, positive);
 }
 
 Proposition Stating::relation(const Expression& e, const Scope& scope, const Context& context,
@@ -200,20 +224,67 @@ std::optional<std::vector<Constraint>> Stating::constraints(const Expression& e,
   std::vector<Constraint> result;
   for (std::size_t i = 0; i < ops.size(); ++i) {
     if (ops[i] == "~") return std::nullopt;
-    const Value a = evaluator.evaluate(e.children[i], scope),
-                b = evaluator.evaluate(e.children[i + 1], scope);
-    const auto *left = a.as<Vector>(), *right = b.as<Vector>();
-    if (left && right && left->size() == right->size() && ops[i] == "=" && positive) {
-      for (std::size_t k = 0; k < left->size(); ++k)
-        result.push_back(compared((*left)[k], "=", (*right)[k], context, e));
+    const Value first = evaluator.evaluate(e.children[i], scope),
+                second = evaluator.evaluate(e.children[i + 1], scope);
+    const Value a = beside(first, second), b = beside(second, first);
+    const std::string op = positive ? ops[i] : negated_operation(ops[i]);
+    if (a.as<Vector>() && b.as<Vector>() && (op == "=" || op == "!=")) {
+      const auto left = as_items(evaluator, a, e), right = as_items(evaluator, b, e);
+      if (left.size() != right.size()) return std::nullopt;
+      if (op == "!=")
+        result.push_back(compared(*squared_distance(left, right), ">", Scalar(0), context, e));
+      else
+        for (std::size_t k = 0; k < left.size(); ++k)
+          result.push_back(
+              compared(*left[k].as<Scalar>(), op, *right[k].as<Scalar>(), context, e));
       continue;
     }
     const auto *x = a.as<Scalar>(), *y = b.as<Scalar>();
     if (!x || !y) return std::nullopt;
-    result.push_back(
-        compared(*x, positive ? ops[i] : negated_operation(ops[i]), *y, context, e));
+    result.push_back(compared(*x, op, *y, context, e));
   }
   return result;
+}
+
+bool Stating::assume(const Expression& e, const Scope& scope, Context& context, bool positive) {
+  const bool is_both =
+      (e.kind == Kind::conjunction && positive) || (e.kind == Kind::disjunction && !positive);
+  if (is_both) {
+    // What the second rests on it does so without the first.
+    const Context around = context;
+    Context second = around;
+    if (!assume(e.children[0], scope, context, positive) ||
+        !assume(e.children[1], scope, second, positive))
+      return false;
+    const auto join = [](auto& to, const auto& from, std::size_t known) {
+      to.insert(to.end(), from.begin() + static_cast<long>(known), from.end());
+    };
+    join(context.where, second.where, around.where.size());
+    join(context.given, second.given, around.given.size());
+    return true;
+  }
+  if (e.kind == Kind::negation) return assume(e.children[0], scope, context, !positive);
+  if (e.kind == Kind::for_all && positive && e.children.size() == 2 &&
+      e.children[0].text == "all" && condition_of(e.children[0]) == nullptr) {
+    Assumption assumption;
+    Scope inner{&scope, {}};
+    Context around = context;
+    for (const Expression& name : e.children[0].children[0].children) {
+      assumption.variables.push_back(evaluator.bind(name.text));
+      around.lines.push_back(assumption.variables.back());
+      inner.values[name.text] = {Scalar(Formula::symbol(assumption.variables.back()))};
+    }
+    const auto found = constraints(e.children[1], inner, around, true);
+    for (const std::string& symbol : assumption.variables) evaluator.release(symbol);
+    if (!found) return false;
+    assumption.constraints = *found;
+    context.given.push_back(std::move(assumption));
+    return true;
+  }
+  const auto found = constraints(e, scope, context, positive);
+  if (!found) return false;
+  context.where.insert(context.where.end(), found->begin(), found->end());
+  return true;
 }
 
 }  // namespace seam::claims

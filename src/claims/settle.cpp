@@ -31,7 +31,8 @@ Context for_all_variables(const Formula& f, Context context,
 
 // Without quotients and roots, and with no variables but those of its domain.
 bool is_settled(const symbolic::Sign& sign) {
-  const Context own{sign.domain.factors, {}, {}};
+  Context own;
+  own.factors = sign.domain.factors;
   const auto is_plain = [&](const Formula& f) {
     return f.is_polynomial() && std::ranges::all_of(symbolic::variables(f), [&](const auto& v) {
              return is_bound(v, own);
@@ -49,17 +50,18 @@ Proposition Stating::settled(Proposition p, const Context& context, const Expres
   for (Proposition& part : p.parts) part = settled(std::move(part), context, at);
   if (p.kind != Proposition::Kind::atom) return p;
   if (const auto* zero = std::get_if<symbolic::Zero>(&p.atom)) {
-    if (zero->formula.is_polynomial()) return p;
+    if (zero->formula.is_polynomial() && context.is_unconditional()) return p;
     const Scalar value = scalar_of(zero->formula, evaluator.numbers);
     const Context all = for_all_variables(zero->formula, context, evaluator.parameters);
     const symbolic::Constraint c = related(value, Relation::zero, all, at);
     return holds(c.formula, c.relation, all, at, p.about);
   }
   if (const auto* sign = std::get_if<symbolic::Sign>(&p.atom)) {
-    if (is_settled(*sign)) return p;
+    if (context.is_unconditional() && is_settled(*sign)) return p;
     Context all = context;
     all.factors.insert(all.factors.end(), sign->domain.factors.begin(),
                        sign->domain.factors.end());
+    all = for_all_variables(sign->formula, std::move(all), evaluator.parameters);
     for (const symbolic::Constraint& constraint : sign->domain.where)
       all.where.push_back(related(scalar_of(constraint.formula, evaluator.numbers),
                                   constraint.relation, all, at));
@@ -67,6 +69,7 @@ Proposition Stating::settled(Proposition p, const Context& context, const Expres
         related(scalar_of(sign->formula, evaluator.numbers), sign->relation, all, at);
     return holds(c.formula, c.relation, all, at, p.about);
   }
+  if (!context.is_unconditional()) throw Unsupported("this predicate under a condition");
   if (const auto* distinct = std::get_if<symbolic::Distinct>(&p.atom))
     for (const symbolic::Point& tuple : distinct->tuples)
       if (!std::ranges::all_of(tuple, &Formula::is_polynomial))

@@ -73,16 +73,16 @@ Proposition Stating::alternatives(const std::vector<std::pair<const Expression*,
     }
     return symbolic::any(std::move(all));
   }
-  for (std::size_t last = parts.size(); last-- > 0;) {
+  // What is said rather than denied is kept as it stands; the others become its conditions.
+  std::vector<std::size_t> order;
+  for (const bool sign : {true, false})
+    for (std::size_t i = parts.size(); i-- > 0;)
+      if (parts[i].second == sign) order.push_back(i);
+  for (const std::size_t last : order) {
     Context narrowed = context;
     bool convertible = true;
-    for (std::size_t i = 0; i < parts.size() && convertible; ++i) {
-      if (i == last) continue;
-      auto excluded = constraints(*parts[i].first, scope, context, !parts[i].second);
-      convertible = excluded.has_value();
-      if (excluded)
-        narrowed.where.insert(narrowed.where.end(), excluded->begin(), excluded->end());
-    }
+    for (std::size_t i = 0; i < parts.size() && convertible; ++i)
+      if (i != last) convertible = assume(*parts[i].first, scope, narrowed, !parts[i].second);
     if (!convertible) continue;
     if (auto broken = take_numbers(narrowed)) return *broken;
     return state(*parts[last].first, scope, narrowed, parts[last].second);
@@ -126,6 +126,7 @@ static Context parameters_in(const Evaluator& evaluator, const Stating& stating,
   for (const Proposition& guard : stating.guards) collect(guard, found);
   for (const Proposition& side : evaluator.sides) collect(side, found);
   Context context;
+  context.functions = stating.speaks_of_functions;
   join_parameters(evaluator, found, context);
   return context;
 }

@@ -13,14 +13,26 @@ namespace seam::claims {
 using symbolic::Proposition;
 using symbolic::Relation;
 
+/// An assumption: the constraints hold for all values of the variables.
+struct Assumption {
+  std::vector<std::string> variables;
+  std::vector<symbolic::Constraint> constraints;
+};
+
 /// The universal quantifiers around a statement: its variables range over the product of the
-/// factors, over all reals for `lines`, where all the constraints hold.
+/// factors, over all reals for `lines`, where all the constraints hold; under the assumptions
+/// `given`; with `functions`: for all arbitrary functions of the file.
 struct Context {
   std::vector<symbolic::Simplex> factors;
   std::vector<std::string> lines;
   std::vector<symbolic::Constraint> where;
+  std::vector<Assumption> given;
+  bool functions = false;
 
-  bool empty() const { return factors.empty() && lines.empty() && where.empty(); }
+  bool empty() const {
+    return factors.empty() && lines.empty() && is_unconditional() && !functions;
+  }
+  bool is_unconditional() const { return where.empty() && given.empty(); }
 };
 
 /// A point inside the context and the sets of the parameters of the file; another one for
@@ -55,6 +67,19 @@ class Stating {
   /// A statement as a conjunction of constraints, if it is one.
   std::optional<std::vector<symbolic::Constraint>> constraints(const Expression&, const Scope&,
                                                                const Context&, bool positive);
+  /// Adds a statement to the conditions of a context; false where it is none that fits.
+  bool assume(const Expression&, const Scope&, Context&, bool positive);
+
+  // independent.cpp
+  /// A formula and its context with every arbitrary function, at each argument and in each
+  /// order of derivation, as a real variable of its own.
+  struct Independent {
+    Formula formula;
+    Context context;
+    /// What fails for some values of the variables fails for some functions.
+    bool is_exact = true;
+  };
+  Independent independent(const Formula&, const Context&);
 
   // settle.cpp
   /// A proposition about a patch or a point, whose formulas may hold quotients, roots and
@@ -69,6 +94,7 @@ class Stating {
 
   // predicate.cpp
   Proposition called(const Expression&, const Scope&, const Context&, bool positive);
+  Proposition some_nonzero(const std::vector<Formula>&, const Context&, const Expression& at);
 
   // blending.cpp
   /// Predicates of lists of functions.
@@ -93,6 +119,7 @@ class Stating {
   Evaluator& evaluator;
   std::vector<Proposition> guards;
   std::set<std::string> predicates;
+  bool speaks_of_functions = false;  ///< arbitrary ones
 
  private:
   /// A domain, and variables beside it that range over all reals.
@@ -109,6 +136,8 @@ class Stating {
   /// says that one fails: then there is no point to speak of.
   std::optional<Proposition> take_numbers(Context&);
   Proposition continuous(const Expression& call, const Scope&, const Context&);
+  Proposition holds_for_all(const Formula&, Relation, const Context&, const Expression& at,
+                            const std::string& about);
   Proposition compare(const Expression&, const Value& a, const std::string& operation,
                       const Value& b, const Context&, bool positive);
   Proposition compare_extremum(const Expression&, const Extremum&, const std::string& operation,

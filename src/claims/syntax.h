@@ -106,7 +106,8 @@ struct Item {
   std::vector<std::string> parameters;  ///< let f(x, y), define f(x), sequence s(k)
   std::vector<std::string> names;       ///< param a, b, c
   std::string by, source, year;         ///< paper
-  std::string type;                     ///< param: ``, `integer`, `mesh`, `vector 3`
+  std::string type;  ///< param: ``, `integer`, `mesh`, `vector 3`, `function`,
+                     ///< `vector 3 function of 2`
   std::vector<Expression>
       expressions;  ///< let, define, figure, ask: [body]; sequence: [start, step]; root:
                     ///< [polynomial, interval]; param: [set] or [], then condition in `where`

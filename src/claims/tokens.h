@@ -99,6 +99,8 @@ SEAM_KEYWORD(of_word, "of");
 SEAM_KEYWORD(integer_word, "integer");
 SEAM_KEYWORD(vector_word, "vector");
 SEAM_KEYWORD(mesh_word, "mesh");
+SEAM_KEYWORD(function_word, "function");
+SEAM_KEYWORD(generic_word, "generic");
 SEAM_KEYWORD(labelled_word, "labelled");
 SEAM_KEYWORD(coloured_word, "coloured");
 SEAM_KEYWORD(digits_word, "digits");

@@ -36,9 +36,11 @@ struct Field {
   std::vector<Scalar> components;
 };
 
-/// A function of one parameter: a derivative of a curve; in geometry::parameter_u, on [0, 1].
+/// A function of one parameter: a derivative of a curve, an arbitrary function; in
+/// geometry::parameter_u, on [0, 1] or, if not `is_segment`, on the real line.
 struct CurveField {
   std::vector<Scalar> components;
+  bool is_segment = true;
 };
 
 /// One scalar field a patch of a surface.

@@ -63,17 +63,49 @@ class Formulas {
   std::map<Term, Formula> done_;
 };
 
-// `u~` and `v~` are the parameters of a patch: a reader calls them u and v.
+// `u~` and `v~` are the parameters of a patch: a reader calls them u and v. The value of an
+// arbitrary function is called `x'{t}`.
 std::string readable(std::string text) {
   std::erase(text, '~');
+  std::ranges::replace(text, '{', '(');
+  std::ranges::replace(text, '}', ')');
   return text;
 }
 
+// `x0` and 2 of `x0[2]`; 0 of a name without an index.
+std::pair<std::string, int> indexed(const std::string& name) {
+  const std::size_t at = name.rfind('[');
+  if (at == std::string::npos || name.back() != ']' || name.size() - at > 5) return {name, 0};
+  const std::string digits = name.substr(at + 1, name.size() - at - 2);
+  if (digits.empty() || digits.find_first_not_of("0123456789") != std::string::npos)
+    return {name, 0};
+  return {name.substr(0, at), std::stoi(digits)};
+}
+
+// The coordinates of a vector stand together, once all are there.
 std::string point_text(const certificate::Point& point, Formulas& formulas) {
+  std::map<std::string, std::map<int, std::string>> values;
+  std::vector<std::string> order;
+  for (std::size_t i = 0; i < point.variables.size(); ++i) {
+    const auto [name, index] = indexed(point.variables[i]);
+    if (!values.contains(name)) order.push_back(name);
+    values[name].emplace(index, symbolic::text(formulas(point.values[i]), 60));
+  }
   std::string result;
-  for (std::size_t i = 0; i < point.variables.size(); ++i)
-    result += (i == 0 ? "" : ", ") + point.variables[i] + " = " +
-              symbolic::text(formulas(point.values[i]), 60);
+  for (const std::string& name : order) {
+    const auto& entries = values[name];
+    const bool is_vector = entries.size() > 1 && entries.begin()->first == 1 &&
+                           entries.rbegin()->first == std::ssize(entries);
+    std::string tuple;
+    for (const auto& [index, value] : entries) {
+      if (is_vector)
+        tuple += (tuple.empty() ? "" : ", ") + value;
+      else
+        result += (result.empty() ? "" : ", ") + name +
+                  (index > 0 ? "[" + std::to_string(index) + "]" : "") + " = " + value;
+    }
+    if (is_vector) result += (result.empty() ? "" : ", ") + name + " = (" + tuple + ")";
+  }
   return readable(result);
 }
 

@@ -32,6 +32,9 @@ struct Criterion {
   };
   Proposition proposition;
   Failure failure = Failure::refutes;
+  /// What is asked of all of these patches taken together, not of each: that these formulas are
+  /// not all identically 0. None: nothing.
+  std::vector<Formula> nonzero = {};
 };
 
 /// What it takes to choose what is stated.

@@ -24,10 +24,13 @@ SecondForm second_form(const Patch& p, const Point& n, const Formula& u, const F
 
 }  // namespace
 
+Quotient gauss(const Point& n, const Point& uu, const Point& uv, const Point& vv) {
+  return {dot(n, uu) * dot(n, vv) - power(dot(n, uv), 2), power(norm2(n), 2)};
+}
+
 Quotient gauss(const Patch& p, const Formula& u, const Formula& v) {
-  const Point n = normal(p, u, v);
-  const SecondForm form = second_form(p, n, u, v);
-  return {form.uu * form.vv - power(form.uv, 2), power(norm2(n), 2)};
+  return gauss(normal(p, u, v), derivative(p, 2, 0, u, v), derivative(p, 1, 1, u, v),
+               derivative(p, 0, 2, u, v));
 }
 
 Quotient mean_times_norm(const Patch& p, const Formula& u, const Formula& v) {

@@ -13,6 +13,8 @@ struct Quotient {
 
 /// Gauss curvature: K = ((n.p_uu)(n.p_vv) - (n.p_uv)^2) / (n.n)^2.
 Quotient gauss(const Patch&, const Formula& u, const Formula& v);
+/// The same from the normal and the second derivatives.
+Quotient gauss(const Point& n, const Point& uu, const Point& uv, const Point& vv);
 
 /// Mean curvature times |n|, for H itself holds the root |n|: H |n| = h / (2 (n.n)), with
 /// h = (D2.D2)(n.p_uu) - 2 (D1.D2)(n.p_uv) + (D1.D1)(n.p_vv).

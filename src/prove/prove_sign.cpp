@@ -3,6 +3,8 @@
 #include <utility>
 
 #include "prove/derive.h"
+#include "prove/failing_point.h"
+#include "prove/identities.h"
 #include "prove/sign.h"
 #include "prove/strategies.h"
 
@@ -27,12 +29,21 @@ class SignProof {
     for (const auto& condition : where_) terms.push_back(condition.formula);
     functions_ = workshop.functions(terms);
     names_ = variables(factors_);
+    const std::set<std::string> bounded(names_.begin(), names_.end());
+    std::set<std::string> free;
+    for (const certificate::Term term : terms) free.merge(workshop.variables(term));
+    for (const std::string& name : free)
+      if (!bounded.contains(name)) names_.push_back(name);
+    has_lines_ = names_.size() > bounded.size();
     for (const auto* function : functions_) names_.push_back(function->name);
   }
+
+  bool is_about_a_number() const { return factors_.empty() && !has_lines_; }
 
   Polynomial f() { return workshop_.expand(term_, names_); }
 
   Proof prove(Relation relation) {
+    if (has_lines_) return by_identities(relation);
     const bool has_equation =
         std::ranges::any_of(where_, [](const auto& c) { return c.relation == Relation::zero; });
     const bool is_plain = !has_equation && functions_.empty();
@@ -44,7 +55,10 @@ class SignProof {
     if (is_plain && where_.empty())
       if (auto point = at_a_sample(relation)) return certificate::Witness{*point, {}};
     if (has_equation && functions_.empty()) proof = by_subdivision(relation);
-    return proof;
+    if (!std::holds_alternative<Nothing>(proof) || where_.empty() || !functions_.empty())
+      return proof;
+    Proof other = by_identities(relation);
+    return std::holds_alternative<Nothing>(other) ? proof : other;
   }
 
  private:
@@ -65,6 +79,20 @@ class SignProof {
   std::optional<certificate::Point> at_a_sample(Relation relation) {
     Derivation derivation(workshop_, make_region(workshop_, factors_, where_, functions_));
     return derivation.refute(f(), relation);
+  }
+
+  Proof by_identities(Relation relation) {
+    if (!functions_.empty())
+      return Nothing{"unsupported", "roots of functions of more than four unbounded variables"};
+    std::vector<Condition> where;
+    for (const auto& condition : where_)
+      where.push_back({workshop_.expand(condition.formula, names_), condition.relation});
+    if (auto point = failing_point(workshop_, factors_, where, f(), relation))
+      return certificate::Witness{*point, {}};
+    Identities identities(workshop_, factors_, names_, std::move(where));
+    if (auto shown = identities.show(f(), relation)) return of(std::move(*shown));
+    if (workshop_.late()) return Nothing{"time", "the time given was over"};
+    return Nothing{"effort", "neither a proof by identities nor a point was found"};
   }
 
   Proof by_derivation(Relation relation) {
@@ -163,6 +191,7 @@ class SignProof {
   Factors factors_;
   std::vector<const certificate::Function*> functions_;
   std::vector<std::string> names_;
+  bool has_lines_ = false;  ///< variables that belong to no factor
   certificate::Term term_ = 0;
   std::vector<certificate::Constraint> where_;
 };
@@ -170,8 +199,8 @@ class SignProof {
 }  // namespace
 
 Proof SignProver::prove(const certificate::Sign& sign) {
-  if (sign.domain.factors.empty()) return certificate::Computation{};
   SignProof proof(*workshop_, sign);
+  if (proof.is_about_a_number()) return certificate::Computation{};
   const Polynomial f = proof.f();
   for (const Settled& s : settled_)
     if (s.sign.relation == sign.relation && s.sign.domain == sign.domain &&

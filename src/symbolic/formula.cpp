@@ -250,18 +250,18 @@ namespace {
 
 using Memo = std::unordered_map<const void*, Formula>;
 
-// Rebuilds a formula with other values for its symbols. Facts about numbers never change.
-Formula rebuild(const Formula& f, const std::map<std::string, Formula>& map, Memo& memo) {
+using Value = std::function<Formula(const Formula&)>;
+
+// Rebuilds a formula with other values for its symbols and functions. Facts about numbers never
+// change.
+Formula rebuild(const Formula& f, const Value& value, Memo& memo) {
   if (f.is_constant() || (f.kind() == Formula::Kind::known && f.is_polynomial())) return f;
-  if (f.kind() == Formula::Kind::symbol) {
-    const auto found = map.find(f.name());
-    return found == map.end() ? f : found->second;
-  }
+  if (f.kind() == Formula::Kind::symbol) return value(f);
   if (const auto found = memo.find(f.identity()); found != memo.end()) return found->second;
   std::vector<Formula> operands;
   bool changed = f.kind() == Formula::Kind::known;
   for (const Formula& operand : f.operands()) {
-    operands.push_back(rebuild(operand, map, memo));
+    operands.push_back(rebuild(operand, value, memo));
     changed = changed || operands.back().identity() != operand.identity();
   }
   const auto rebuilt = [&]() -> Formula {
@@ -281,12 +281,13 @@ Formula rebuild(const Formula& f, const std::map<std::string, Formula>& map, Mem
       default: {
         std::vector<Fact> facts;
         for (const Fact& fact : f.facts())
-          facts.push_back({rebuild(fact.formula, map, memo), fact.relation});
+          facts.push_back({rebuild(fact.formula, value, memo), fact.relation});
         return Formula::known(operands[0], std::move(facts));
       }
     }
   };
   Formula result = changed ? rebuilt() : f;
+  if (result.kind() == Formula::Kind::applied) result = value(result);
   memo.emplace(f.identity(), result);
   return result;
 }
@@ -343,12 +344,6 @@ Formula derive(const Formula& f, const std::string& symbol, Memo& memo) {
   return result;
 }
 
-void collect(const Formula& f, std::set<std::string>& found, std::set<const void*>& seen) {
-  if (f.kind() == Formula::Kind::symbol) found.insert(f.name());
-  if (f.operands().empty() || !seen.insert(f.identity()).second) return;
-  for (const Formula& operand : f.operands()) collect(operand, found, seen);
-}
-
 }  // namespace
 
 Formula diff(const Formula& f, const std::string& symbol) {
@@ -358,32 +353,22 @@ Formula diff(const Formula& f, const std::string& symbol) {
 
 Formula subst(const Formula& f, const std::map<std::string, Formula>& map) {
   Memo memo;
-  return rebuild(f, map, memo);
+  const auto value = [&map](const Formula& g) {
+    if (g.kind() != Formula::Kind::symbol) return g;
+    const auto found = map.find(g.name());
+    return found == map.end() ? g : found->second;
+  };
+  return rebuild(f, value, memo);
 }
 
-std::set<std::string> symbols(const Formula& f) {
-  std::set<std::string> found;
-  std::set<const void*> seen;
-  collect(f, found, seen);
-  return found;
-}
-
-bool is_elementary(const std::string& function) {
-  return function == "sin" || function == "cos" || function == "exp" || function == "log";
-}
-
-bool is_generator(const std::string& name) {
-  return name.find('(') != std::string::npos;
-}
-
-std::set<std::string> variables(const Formula& f) {
-  std::set<std::string> found = symbols(f);
-  std::erase_if(found, is_generator);
-  return found;
-}
-
-bool is_number(const Formula& f) {
-  return variables(f).empty();
+Formula replace_functions(const Formula& f,
+                          const std::function<Formula(const Formula&)>& value) {
+  Memo memo;
+  const auto of_arbitrary = [&value](const Formula& g) {
+    const bool is_arbitrary = g.kind() == Formula::Kind::applied && !is_elementary(g.name());
+    return is_arbitrary ? value(g) : g;
+  };
+  return rebuild(f, of_arbitrary, memo);
 }
 
 }  // namespace seam::symbolic

@@ -99,7 +99,13 @@ Formula diff(const Formula&, const std::string& symbol);
 /// Every occurrence of a symbol in the map replaced, all at once.
 Formula subst(const Formula&, const std::map<std::string, Formula>&);
 
-/// The symbols that occur, generators included; those in facts do not count.
+/// Every arbitrary function (an applied one that is not elementary) replaced, from the inside
+/// out: `value` gets it with operands in which that is done.
+Formula replace_functions(const Formula&,
+                          const std::function<Formula(const Formula& applied)>& value);
+
+/// The symbols that occur, generators and the names of arbitrary functions included; those in
+/// facts do not count.
 std::set<std::string> symbols(const Formula&);
 std::set<std::string> variables(const Formula&);  ///< symbols that are not generators
 bool is_number(const Formula&);                   ///< no variables

@@ -47,7 +47,7 @@ struct Domain {
 struct Zero {
   Formula formula;
 };
-/// formula relation 0 on the domain; without factors: a statement about a number.
+/// formula relation 0 on the domain and, for variables that belong to no factor, for all reals.
 struct Sign {
   Formula formula;
   Relation relation;

@@ -155,7 +155,8 @@ TEST(ItemErrorMessages, where_a_table_row_has_no_values) {
 
 TEST(ItemErrorMessages, where_a_param_has_an_unknown_type) {
   EXPECT_EQ(messages("param a : real\n"),
-            "a.seam:1:11: error: expected 'integer' or 'vector' and a dimension after ':'\n"
+            "a.seam:1:11: error: expected 'integer', 'vector' and a dimension, or 'function' "
+            "after ':'\n"
             "  1 | param a : real\n"
             "    |           ^~~~\n");
 }

@@ -250,7 +250,8 @@ void RandomTree::fill_table(Item& item) {
 void RandomTree::fill_param(Item& item) {
   for (int left = 1 + below(3); left > 0; --left) item.names.push_back(name());
   item.name = item.names.front();
-  item.type = pick({"", "integer", "vector 3"});
+  item.type = pick(
+      {"", "integer", "vector 3", "function", "vector 3 function", "vector 2 function of 2"});
   item.expressions = several(0, 1, &RandomTree::set, 3);
   if (maybe()) item.where = any(3);
 }
