@@ -48,13 +48,13 @@ bool is_plain_conjunction(const Proposition& p) {
 
 // Identities, and conjunctions of them. If none of several holds for all values of the
 // variables, there are values for which none does: a product of polynomials that are not 0 is
-// not. (A product of other functions may be.)
+// not. (A product of roots may be.)
 bool are_identities(const std::vector<Proposition>& parts) {
   return std::ranges::all_of(parts, [](const Proposition& part) {
     if (part.kind == Proposition::Kind::all) return are_identities(part.parts);
     return part.kind == Proposition::Kind::atom &&
            std::holds_alternative<symbolic::Zero>(part.atom) &&
-           std::get<symbolic::Zero>(part.atom).formula.is_polynomial();
+           geometry::is_rational_function(std::get<symbolic::Zero>(part.atom).formula);
   });
 }
 
