@@ -30,6 +30,9 @@
 //   Where the region has conditions, every choice of subsets is looked at, not the minimal
 //   alone, and those are passed over on which one is broken.
 //
+// All this is about formulas in the coordinates alone. A symbol that has none, such as a
+// logarithm, may have any sign: what holds it shows nothing.
+//
 // Shares are a matter of booleans: weights of a split are >= 0, their signs known.
 
 namespace seam::check {
@@ -107,6 +110,7 @@ std::vector<Signs> signs_of_conditions(Context& context, const Region& region,
                                        const Piece& piece) {
   std::vector<Signs> result;
   for (std::size_t i = 0; i < region.where.size(); ++i) {
+    if (!piece.is_over_factors[i + 1]) continue;
     Signs& signs = result.emplace_back();
     signs.relation = region.where[i].relation;
     const auto coefficients =
@@ -156,9 +160,15 @@ bool meets_every_face(Context& context, const Region& region, const Piece& piece
 
 Piece whole(Context& context, const Region& region, const Polynomial& formula) {
   Piece piece;
-  piece.formulas.push_back(in_barycentric(context, region, formula));
-  for (const Condition& condition : region.where)
-    piece.formulas.push_back(in_barycentric(context, region, condition.formula));
+  std::set<int> coordinates;
+  for (const Factor& factor : region.factors)
+    coordinates.insert(factor.variables.begin(), factor.variables.end());
+  const auto add = [&](const Polynomial& f) {
+    piece.formulas.push_back(in_barycentric(context, region, f));
+    piece.is_over_factors.push_back(context.depends_only_on(f, coordinates));
+  };
+  add(formula);
+  for (const Condition& condition : region.where) add(condition.formula);
   for (const Factor& factor : region.factors) {
     std::vector<Corners>& supports = piece.supports.emplace_back();
     for (std::size_t j = 0; j < factor.corners.size(); ++j) supports.push_back(Corners{1} << j);
@@ -198,7 +208,7 @@ bool is_plain(Context& context, const Region& region, const Piece& piece, std::s
               Relation relation) {
   const bool upward = relation == Relation::positive || relation == Relation::nonnegative;
   const bool downward = relation == Relation::negative || relation == Relation::nonpositive;
-  if (!upward && !downward) return false;
+  if (!piece.is_over_factors[formula] || (!upward && !downward)) return false;
 
   std::vector<std::vector<Corners>> positive;
   const auto coefficients =

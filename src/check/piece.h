@@ -13,6 +13,9 @@ struct Piece {
   /// In the barycentric coordinates of the piece: the formula in question, then the
   /// formula of each condition of the region. Positive multiples, as in `in_barycentric`.
   std::vector<Polynomial> formulas;
+  /// Of each: whether it holds no other symbols than those with a coordinate in a factor. Over
+  /// a piece, no more is said of another.
+  std::vector<bool> is_over_factors;
   /// By factor and corner: which corners of the factor have a positive share in it.
   std::vector<std::vector<Corners>> supports;
   int depth = 0;

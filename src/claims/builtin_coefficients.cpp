@@ -87,10 +87,24 @@ Value degree(const Call& call) {
   }
   if (!symbolic::is_number(leading))
     throw Unsupported("a degree whose leading coefficient holds a variable");
+  leading = scalar_of(leading, call.evaluator.numbers).numerator;
   if (!leading.is_constant())
     return {Scalar(
         Formula::known(Formula(highest), {{leading, symbolic::Fact::Relation::nonzero}}))};
   return {Scalar(static_cast<long>(highest))};
+}
+
+// How many coefficients there are must be certain: different monomials may be dependent where
+// they hold functions or numbers that are not algebraic.
+void require_nonzero(const Formula& leading, Numbers& numbers) {
+  const Formula f = scalar_of(leading, numbers).numerator;
+  const bool is_certain =
+      symbolic::is_number(f)
+          ? numbers.sign(f) != exact::Sign::zero
+          : !symbolic::vanishes(f, numbers) &&
+                ((f.is_polynomial() && numbers.field(f).transcendental.empty()) ||
+                 symbolic::monomials(f, numbers).size() == 1);
+  if (!is_certain) throw Unsupported("coefficients of which the last may be 0");
 }
 
 Value coefficients(const Call& call) {
@@ -98,10 +112,13 @@ Value coefficients(const Call& call) {
   const Value value = call.evaluator.evaluate(call[0], variable.scope());
   const Formula f = as_formula(call.evaluator, value, call[0]);
   const Coefficients found = expanded(call, f, {variable.symbol()});
+  if (const int d = degree_of(found); d > 0)
+    require_nonzero(found.at({d}), call.evaluator.numbers);
   List list;
   for (int d = 0; d <= degree_of(found); ++d) {
     const auto entry = found.find({d});
-    list.items.push_back({Scalar(entry == found.end() ? Formula(0) : entry->second)});
+    const Formula coefficient = entry == found.end() ? Formula(0) : entry->second;
+    list.items.push_back({scalar_of(coefficient, call.evaluator.numbers)});
   }
   return {list};
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <functional>
+#include <set>
 
 #include "claims/variable.h"
 
@@ -25,6 +26,21 @@ Value each_scalar(const Value& value, const std::function<Scalar(const Scalar&)>
 // What the function rests on the derivative rests on too.
 Scalar derivative(const Scalar& s, const std::string& symbol, Numbers& numbers) {
   return scalar_of(symbolic::diff(formula_of(s), symbol), numbers);
+}
+
+// A derivative is some times as large as the function, one of order 20 past all bounds. Parts
+// that are shared count once.
+void require_small(const Scalar& s) {
+  constexpr std::size_t most_parts = 20'000;
+  std::set<const void*> parts;
+  const std::function<void(const Formula&)> count = [&](const Formula& f) {
+    if (!parts.insert(f.identity()).second) return;
+    if (parts.size() > most_parts) throw Unsupported("a derivative that becomes too large");
+    for (const Formula& operand : f.operands()) count(operand);
+  };
+  for (const Formula& divisor : s.divisors) count(divisor);
+  count(s.numerator);
+  count(s.denominator);
 }
 
 // The parameters of a function on a patch have no names.
@@ -59,6 +75,7 @@ Value diff(const Call& call) {
   refuse_field(call, value);
   for (long k = 0; k < order; ++k)
     value = mapped(call, value, [&](const Scalar& s) {
+      if (k > 0) require_small(s);
       return derivative(s, variable.symbol(), call.evaluator.numbers);
     });
   if (variable.is_fresh() && mentions(value, variable.symbol()))
@@ -93,9 +110,12 @@ std::optional<exact::Rational> rational_argument(const Call& call, const Value& 
   return rational;
 }
 
-// Roots in it have a value only where those of the function have one.
+// Of a quotient of polynomials it is a polynomial; of another function it has a value only
+// where the function has one.
 Scalar part(const Scalar& whole, const Formula& formula) {
   Scalar result(formula);
+  if (!whole.numerator.is_polynomial() || !whole.denominator.is_polynomial())
+    result.divisors = whole.divisors;
   result.radicands = whole.radicands;
   return result;
 }

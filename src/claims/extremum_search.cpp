@@ -63,6 +63,8 @@ std::map<std::string, Formula> in_shares(const Extremum::Part& part,
 Polynomial expanded(const Numbers& numbers, const Formula& all,
                     const std::vector<std::string>& variables, const Formula& f) {
   const Numbers::Field& field = numbers.field(all);
+  if (!field.transcendental.empty())
+    throw Unsupported("where an extremum with numbers that are not algebraic is attained");
   return symbolic::Expansion(exact::Ring::make(field.ring->tower(), variables), {},
                              field.values)(f);
 }

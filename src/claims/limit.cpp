@@ -15,8 +15,12 @@
 // for low > 0, c0 for low = 0, and there is none for low < 0 and c0 != 0.
 //
 // As many coefficients are kept as could be needed to see through cancellations; if all that
-// are known vanish, nothing is said. That those left out are 0, and divisors are not, is
-// stated.
+// are known vanish, nothing is said. That those left out are 0 is stated.
+//
+// The limit rests on every c0 that was divided by, whatever became of the quotient: another c0
+// may make it grow faster. It also rests on what the expression rests on for large n: a divisor
+// is not 0 there if its c0 is not, a radicand not negative if its c0 is positive. What has no
+// expansion has no limit here, even multiplied by 0.
 
 namespace seam::claims {
 namespace {
@@ -44,14 +48,36 @@ class Expanding {
       if (whole.low < 0) throw Unsupported("a limit that is not finite");
       if (whole.low == 0) result = whole.c.front();
     }
-    for (const Formula& divisor : x.divisors)
-      if (!holds_unknown(divisor)) result.divisors.push_back(divisor);
-    for (const Formula& radicand : x.radicands)
-      if (!holds_unknown(radicand)) result.radicands.push_back(radicand);
-    return result;
+    for (const Formula& divisor : x.divisors) not_zero(divisor);
+    for (const Formula& radicand : x.radicands) not_negative(radicand);
+    return result + rest_;
   }
 
  private:
+  // A limit has no value where s has none.
+  void rest_on(const Scalar& s) {
+    Scalar nil(0);
+    nil.divisors = s.divisors;
+    nil.radicands = s.radicands;
+    rest_ = rest_ + nil;
+  }
+  Scalar reciprocal(const Scalar& c) {
+    Scalar result = divide(Scalar(1), c, numbers_);
+    rest_on(result);
+    return result;
+  }
+  void not_zero(const Formula& divisor) {
+    if (holds_unknown(divisor))
+      reciprocal(lead(expanded(divisor)).c.front());
+    else
+      rest_.divisors.push_back(divisor);
+  }
+  void not_negative(const Formula& radicand) {
+    if (holds_unknown(radicand))
+      positive(lead(expanded(radicand)).c.front());
+    else
+      rest_.radicands.push_back(radicand);
+  }
   // Also in what it rests on.
   bool holds_unknown(const Formula& f) {
     if (f.kind() == Formula::Kind::symbol) return f.name() == unknown_;
@@ -113,7 +139,7 @@ class Expanding {
 
   // c0 is not 0: 1/s = (1/c0) (1 + u + u^2 + ...), u = 1 - s/c0.
   Series inverse(const Series& s) {
-    const Scalar first = divide(Scalar(1), s.c.front(), numbers_);
+    const Scalar first = reciprocal(s.c.front());
     Series u = scaled(Scalar(-1) * first, s);
     u.low = 0;
     u.c.front() = Scalar(0);
@@ -138,7 +164,11 @@ class Expanding {
   }
 
   Series expanded(const Formula& f) {
-    if (!holds_unknown(f)) return constant(scalar_of(f, numbers_));
+    if (!holds_unknown(f)) {
+      const Scalar value = scalar_of(f, numbers_);
+      rest_on(value);
+      return constant(value);
+    }
     if (const auto known = done_.find(f.identity()); known != done_.end()) return known->second;
     Series result = compute(f);
     done_.emplace(f.identity(), result);
@@ -178,13 +208,20 @@ class Expanding {
       case Formula::Kind::applied:
         return applied(f.name(), expanded(operands[0]));
       default:
+        for (const Fact& fact : f.facts()) {
+          if (fact.relation == Fact::Relation::nonzero) not_zero(fact.formula);
+          if (fact.relation == Fact::Relation::nonnegative) not_negative(fact.formula);
+        }
         return expanded(operands[0]);
     }
   }
 
-  Scalar positive(const Scalar& c) const {
-    if (!is_number(c) || numbers_.sign(c.numerator) != exact::Sign::positive)
+  // c > 0: seen of a number, of others stated.
+  Scalar positive(const Scalar& c) {
+    if (is_number(c) && numbers_.sign(c.numerator) != exact::Sign::positive)
       throw Unsupported("a limit with a root or logarithm of what is not seen to be positive");
+    reciprocal(c);
+    if (!is_number(c)) rest_.radicands.push_back(c.numerator * c.denominator);
     return c;
   }
 
@@ -192,7 +229,7 @@ class Expanding {
   Series root(const Series& s, int n) {
     if (s.low % n != 0) throw Unsupported("a limit with a root that grows by a fraction");
     const Scalar first = positive(s.c.front());
-    Series u = scaled(divide(Scalar(1), first, numbers_), s);
+    Series u = scaled(reciprocal(first), s);
     u.low = 0;
     u.c.front() = Scalar(0);
     Series result = scaled(nth_root(first, n, numbers_), composed(u, [n](std::size_t k) {
@@ -222,7 +259,7 @@ class Expanding {
     if (function == "exp")
       return scaled(at("exp"), composed(u, [](std::size_t k) { return 1 / factorial(k); }));
     if (function == "log") {
-      const Series ratio = scaled(divide(Scalar(1), positive(first), numbers_), u);
+      const Series ratio = scaled(reciprocal(positive(first)), u);
       return plus(constant(at("log")), composed(ratio, [](std::size_t k) {
                     if (k == 0) return Rational(0);
                     return Rational(k % 2 == 1 ? 1 : -1, static_cast<long>(k));
@@ -248,6 +285,7 @@ class Expanding {
   Evaluator& evaluator_;
   Numbers& numbers_;
   std::string unknown_;
+  Scalar rest_;
   std::unordered_map<const void*, Series> done_;
   std::unordered_map<const void*, bool> holds_;
 };

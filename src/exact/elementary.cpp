@@ -5,7 +5,9 @@
 #include "exact/enclosures.h"
 #include "exact/flint.h"
 
-// Arb's balls hold the values of its functions on balls.
+// Arb's balls hold the values of its functions on balls. Exponents of balls are integers of any
+// size; bounds are fractions, so those of a number that is too large or too small to be written
+// as one are not given.
 
 namespace seam::exact {
 
@@ -51,6 +53,16 @@ Arb applied(const std::string& function, const Arb& x, long precision) {
   return result;
 }
 
+constexpr long most_bits = 1L << 22;  // of a fraction
+
+bool is_short(const Arb& ball) {
+  const auto has_small = [](const fmpz* exponent) {
+    return fmpz_cmp_si(exponent, most_bits) <= 0 && fmpz_cmp_si(exponent, -most_bits) >= 0;
+  };
+  return arb_is_finite(ball.it) != 0 && has_small(ARF_EXPREF(arb_midref(ball.it))) &&
+         has_small(MAG_EXPREF(arb_radref(ball.it)));
+}
+
 }  // namespace
 
 std::optional<Enclosure> enclosure(const Polynomial& number, const std::vector<Applied>& values,
@@ -59,7 +71,7 @@ std::optional<Enclosure> enclosure(const Polynomial& number, const std::vector<A
   for (const auto& [function, argument] : values)
     balls.push_back(applied(function, value(argument, balls, precision), precision));
   const Arb ball = value(number, balls, precision);
-  if (arb_is_finite(ball.it) == 0) return std::nullopt;
+  if (!is_short(ball)) return std::nullopt;
   return bounds(ball);
 }
 

@@ -44,11 +44,16 @@ Proof attempt(const Strategy& strategy, const certificate::Obligation& obligatio
 
 certificate::Evidence prove(const certificate::Statement& statement, const Budget& budget) {
   certificate::Evidence evidence;
-  Workshop workshop(statement, evidence, budget);
-  SignProver signs(workshop);
   std::vector<Proof> proofs;
-  for (const auto& obligation : statement.obligations)
-    proofs.push_back(attempt({workshop, signs}, obligation));
+  try {
+    Workshop workshop(statement, evidence, budget);
+    SignProver signs(workshop);
+    for (const auto& obligation : statement.obligations)
+      proofs.push_back(attempt({workshop, signs}, obligation));
+  } catch (const Unfit& error) {  // by its numbers
+    proofs.assign(statement.obligations.size(),
+                  certificate::Nothing{"unsupported", error.what()});
+  }
   evidence.proofs = std::move(proofs);
   return evidence;
 }

@@ -74,7 +74,7 @@ void Workshop::accept(const certificate::Generator& generator) {
     const bool is_pi = generator.function == certificate::Elementary::pi;
     const auto value =
         near(generator.function, is_pi ? numbers()->constant(0) : number(generator.argument));
-    exact::require(value.has_value(), "prove: a function where it has no value");
+    if (!value) throw Unfit("a number that is too large or too small to be worked out");
     near_.emplace(generator.name, *value);
     transcendental_.push_back(generator.name);
     return;

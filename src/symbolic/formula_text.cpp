@@ -9,7 +9,9 @@
 namespace seam::symbolic {
 namespace {
 
-enum class Around { sum, product, power };
+// What a formula is part of: a term that is added, one that is subtracted, a factor that comes
+// first or later, the base of a power.
+enum class Around { sum, difference, product, factor, power };
 
 class Writer {
  public:
@@ -21,7 +23,7 @@ class Writer {
       case Formula::Kind::constant: {
         const std::string digits = f.value().get_str();
         const bool plain = digits.find_first_of("-/") == std::string::npos;
-        return wrapped(!plain && around != Around::sum, [&] { text_ += digits; });
+        return wrapped(!plain && around > Around::difference, [&] { text_ += digits; });
       }
       case Formula::Kind::symbol:
         text_ += f.name();
@@ -29,7 +31,7 @@ class Writer {
       case Formula::Kind::known:
         return write(f.operands()[0], around);
       case Formula::Kind::inverse:
-        return wrapped(around != Around::sum, [&] {
+        return wrapped(around > Around::difference, [&] {
           text_ += "1/";
           write(f.operands()[0], Around::power);
         });
@@ -46,7 +48,10 @@ class Writer {
           text_ += "^" + std::to_string(f.exponent());
         });
       case Formula::Kind::product:
-        return wrapped(around == Around::power, [&] { write_product(f); });
+        return wrapped(
+            around == Around::power ||
+                (around != Around::sum && around != Around::product && begins_with_minus(f)),
+            [&] { write_product(f); });
       case Formula::Kind::sum:
         return wrapped(around != Around::sum, [&] { write_sum(f); });
     }
@@ -89,16 +94,20 @@ class Writer {
   }
 
   void write_product(const Formula& f) {
-    const char* separator = "";
-    for (const Formula& factor : f.operands()) {
-      if (factor.is(-1) && *separator == '\0') {
+    for (std::size_t i = 0; i < f.operands().size(); ++i) {
+      const Formula& factor = f.operands()[i];
+      if (i == 0 && factor.is(-1)) {
         text_ += "-";
         continue;
       }
-      text_ += separator;
-      write(factor, Around::product);
-      separator = "*";
+      if (i > 0 && !text_.ends_with('-')) text_ += "*";
+      write(factor, i == 0 ? Around::product : Around::factor);
     }
+  }
+
+  static bool begins_with_minus(const Formula& f) {
+    const bool goes_on = f.kind() == Formula::Kind::product || f.kind() == Formula::Kind::known;
+    return goes_on ? begins_with_minus(f.operands()[0]) : f.is_constant() && f.value() < 0;
   }
 
   static bool is_negative(const Formula& term) {
@@ -120,7 +129,7 @@ class Writer {
     for (const Formula& term : f.operands()) {
       const bool negative = !first && is_negative(term);
       if (!first) text_ += negative ? " - " : " + ";
-      write(negative ? opposite(term) : term, Around::sum);
+      write(negative ? opposite(term) : term, negative ? Around::difference : Around::sum);
       first = false;
     }
   }

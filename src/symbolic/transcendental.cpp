@@ -10,6 +10,16 @@ namespace seam::symbolic {
 using exact::Rational;
 using exact::Sign;
 
+namespace {
+
+// A text that breaks off may be that of another number too.
+void require_whole(const std::string& name) {
+  constexpr std::size_t longest = 20'000;
+  if (name.size() > longest) throw NumberLimit("a function of a number that takes pages");
+}
+
+}  // namespace
+
 Formula Numbers::pi() {
   if (forest_->index.contains("(pi)")) return Formula::symbol("(pi)");
   return forest_->add({"(pi)", 0, 0, 0, "pi", 0}, 0);
@@ -18,6 +28,7 @@ Formula Numbers::pi() {
 Formula Numbers::elementary(const std::string& function, const Formula& number) {
   const Formula argument = normal_form(number);
   const std::string name = function + "(" + text(argument) + ")";
+  require_whole(name);
   if (forest_->index.contains(name)) return Formula::symbol(name);
   if (function == "log" && sign(argument) != Sign::positive)
     throw NumberError("logarithm of a number that is not positive");
@@ -29,6 +40,7 @@ Formula Numbers::elementary(const std::string& function, const Formula& number) 
 Formula Numbers::transcendental_inverse(const Formula& number) {
   const Formula x = normal_form(number);
   const std::string name = "(1/(" + text(x) + "))";
+  require_whole(name);
   if (forest_->index.contains(name)) return Formula::symbol(name);
   const bool positive = sign(x) == Sign::positive;
   for (long bits = 64; bits <= max_precision; bits *= 2) {

@@ -103,5 +103,16 @@ TEST(FunctionFormula, AnArbitraryFunctionHasIndependentDerivatives) {
   EXPECT_EQ(text(subst(g, {{"u", Formula(1)}})), "g(c, 1)");
 }
 
+TEST(FunctionFormula, ItsTextKeepsSignsAndParentheses) {
+  const Formula v = Formula::symbol("v"), e = Formula::applied("exp", {c});
+  EXPECT_EQ(text(v - (c + u)), "v - (c + u)");
+  EXPECT_EQ(text(-(c + u)), "-(c + u)");
+  EXPECT_EQ(text(-(-e)), "-(-exp(c))");
+  EXPECT_EQ(text(v - (-e)), "v - (-exp(c))");
+  EXPECT_EQ(text(v * -e), "v*(-exp(c))");
+  EXPECT_EQ(text(v - Formula(exact::Rational(1, 2)) * c), "v - (1/2)*c");
+  EXPECT_EQ(text(v - Formula(exact::Rational(1, 2))), "v - 1/2");
+}
+
 }  // namespace
 }  // namespace seam::symbolic
