@@ -90,6 +90,7 @@ std::vector<std::string> predicate_names() {
 
 // Not of one member of a family of patches, but of all together. A polynomial that is not
 // identically 0 is not 0 all over an open set, which strict conditions leave, if anything.
+// Under other conditions, or of other functions, it is asked that they are nowhere all 0.
 Proposition Stating::some_nonzero(const std::vector<Formula>& formulas, const Context& context,
                                   const Expression& at) {
   Context all = context;
@@ -103,14 +104,22 @@ Proposition Stating::some_nonzero(const std::vector<Formula>& formulas, const Co
     return c.relation == Relation::positive || c.relation == Relation::negative ||
            c.relation == Relation::nonzero;
   });
+  bool is_enough = are_strict;
+  Formula sum_of_squares = 0;
   std::vector<Proposition> zeros;
   for (const Formula& f : formulas) {
     const Independent free = independent(f, all);
     if (!free.is_exact)
       throw Unsupported("a patch on which one function has several arguments");
-    if (!conditions.empty() && !(are_strict && free.formula.is_polynomial()))
-      throw Unsupported("whether this patch is a surface at all under this condition");
+    is_enough = is_enough && free.formula.is_polynomial();
+    sum_of_squares += symbolic::power(f, 2);
     zeros.push_back(symbolic::atom(symbolic::Zero{f}));
+  }
+  if (!conditions.empty() && !is_enough) {
+    guards.push_back(settled(
+        symbolic::atom(symbolic::Sign{sum_of_squares, Relation::positive, {}}, "nowhere 0"),
+        context, at));
+    return symbolic::truth();
   }
   return symbolic::negation(settled(symbolic::all(std::move(zeros)), all, at),
                             "not identically 0");

@@ -184,12 +184,12 @@ TEST(Sign, a_corner_of_negative_weight_makes_no_domain) {
   EXPECT_OPEN(c.finding(pieces({plain()})), "negative weight");
 }
 
-TEST(Sign, a_variable_outside_the_domain_is_rejected) {
+TEST(Sign, a_variable_without_bounds_is_nothing_for_pieces) {
   Case c;
   const Term formula = c.power(c.symbol("y"), 2);
   c.claim(Sign{formula, Relation::nonnegative, {{c.segment("x")}, {}}});
-  EXPECT_OPEN(c.finding(pieces({plain()})), "outside the domain");
-  EXPECT_OPEN(c.finding(Computation{}), "outside the domain");
+  EXPECT_OPEN(c.finding(pieces({plain()})), "a variable that has no bounds");
+  EXPECT_OPEN(c.finding(Computation{}), "depends on variables");
 }
 
 TEST(Sign, a_variable_of_two_factors_is_rejected) {

@@ -251,7 +251,7 @@ TEST(Parse, every_form_of_the_language_is_read) {
   ASSERT_TRUE(in);
   std::stringstream bytes;
   bytes << in.rdbuf();
-  EXPECT_EQ(file(bytes.str()).items.size(), 54u);
+  EXPECT_EQ(file(bytes.str()).items.size(), 58u);
 }
 
 TEST(Parse, the_examples_of_the_reference_are_read) {
@@ -271,7 +271,7 @@ TEST(Parse, the_examples_of_the_reference_are_read) {
       example += line + "\n";
     }
   }
-  EXPECT_EQ(examples, 8);
+  EXPECT_EQ(examples, 9);
 }
 
 TEST(Parse, line_ends_marks_and_a_missing_end_make_no_difference) {
