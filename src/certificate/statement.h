@@ -215,14 +215,15 @@ struct Mesh {
                  ///< cycle, and there are some
     orientable,  ///< no edge is on more than two faces, and the faces can be turned so that
                  ///< those of an edge pass it in opposite senses
-    oriented,  ///< each edge is on exactly two faces, and these pass it in opposite senses
-    planar,    ///< the corners of each face are in one plane; values: of these faces alone
-    convex     ///< the boundary of a convex polyhedron with these vertices and these faces,
-               ///< each counterclockwise seen from outside
+    oriented,    ///< each edge is on exactly two faces, and these pass it in opposite senses
+    planar,      ///< the corners of each face are in one plane; values: of these faces alone
+    convex       ///< the boundary of a convex polyhedron with these vertices and these faces,
+                 ///< all counterclockwise or all clockwise seen from outside
   };
   int vertices = 0;
-  std::vector<std::vector<Term>> points;  ///< three coordinates a vertex, for planar and convex;
-                                          ///< else none need be there, and none is looked at
+  std::vector<std::vector<Term>>
+      points;  ///< three coordinates a vertex, for planar and convex;
+               ///< else none need be there, and none is looked at
   std::vector<std::vector<int>> faces;
   std::vector<Term> ratios;
   Property property = Property::counts;
