@@ -347,7 +347,8 @@ Decided decide(const claims::Lowered& lowered, const claims::Expression& stateme
   outcome.detail = judgement.reason;
   for (const auto& run : outcome.obligations)
     if (run.guard && run.status == report::ObligationRun::Status::fails) {
-      outcome.detail = "what the claim rests on does not hold: " + run.about;
+      outcome.detail = "what the claim rests on does not hold: " +
+                       (run.about.empty() ? run.text : run.about);
       break;
     }
   return result;
