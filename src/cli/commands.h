@@ -4,20 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "cli/outputs.h"
 #include "cli/verify.h"
 
 // The commands of `seamproof`, one function each; what a function returns is the exit status.
 namespace seam::cli {
-
-struct Outputs {
-  std::string out;   ///< a folder for report.tex, results.json, certificates/; empty: none
-  std::string json;  ///< a file, `-` for standard output; empty: none
-  bool pdf = false;
-  bool allow_undecided = false;
-  bool quiet = false;
-  bool verbose = false;
-  std::string colour = "auto";
-};
 
 int verify_files(const std::vector<std::string>& files, const VerifyOptions&, const Outputs&);
 int list_claims(const std::vector<std::string>& files);

@@ -75,14 +75,22 @@ void add_patch(report::FigureRun& figure, const Patch& patch, const symbolic::Nu
                             numbers.approximate(control[2])});
   }
   const auto add = [&](double u0, double v0, double u1, double v1, double u2, double v2) {
-    report::FigureRun::Facet facet;
-    facet.corners = {point(patch, net, u0, v0), point(patch, net, u1, v1),
-                     point(patch, net, u2, v2)};
-    const Triple normal = cross(minus(facet.corners[1], facet.corners[0]),
-                                minus(facet.corners[2], facet.corners[0]));
-    if (dot(normal, facet.corners[0]) < 0) std::swap(facet.corners[1], facet.corners[2]);
-    if (coloured) facet.value = curvature(patch, net, (u0 + u1 + u2) / 3, (v0 + v1 + v2) / 3);
-    figure.facets.push_back(facet);
+    std::array<Triple, 3> corners = {point(patch, net, u0, v0), point(patch, net, u1, v1),
+                                     point(patch, net, u2, v2)};
+    Triple normal = cross(minus(corners[1], corners[0]), minus(corners[2], corners[0]));
+    if (dot(normal, corners[0]) < 0) {
+      std::swap(corners[1], corners[2]);
+      normal = mixed(normal, -1, normal, 0);
+    }
+    const double length = std::sqrt(dot(normal, normal));
+    const int first = static_cast<int>(figure.points.size());
+    for (const Triple& corner : corners) {
+      figure.points.push_back(corner);
+      figure.normals.push_back(mixed(normal, length > 0 ? 1 / length : 0, normal, 0));
+      if (coloured)
+        figure.values.push_back(curvature(patch, net, (u0 + u1 + u2) / 3, (v0 + v1 + v2) / 3));
+    }
+    figure.triangles.push_back({first, first + 1, first + 2});
   };
   const bool triangle = patch.shape() == Patch::Shape::triangle;
   const double step = 1.0 / cuts;
@@ -97,7 +105,9 @@ void add_patch(report::FigureRun& figure, const Patch& patch, const symbolic::Nu
 }  // namespace
 
 report::FigureRun sampled(const claims::MeantFigure& figure, const symbolic::Numbers& numbers) {
-  report::FigureRun result{figure.title, figure.coloured_by == "gauss" ? "gauss" : "", {}};
+  report::FigureRun result;
+  result.title = figure.title;
+  if (figure.coloured_by == "gauss") result.coloured_by = "gauss";
   const bool coloured = !result.coloured_by.empty();
   const auto usable = [](const Patch& patch) {
     if (patch.dimension() != 3) return false;

@@ -39,19 +39,22 @@ struct Drawn {
   double light = 1, value = 0;
 };
 
-std::vector<Drawn> visible(const std::vector<FigureRun::Facet>& facets) {
+std::vector<Drawn> visible(const FigureRun& figure) {
   std::vector<Drawn> drawn;
-  for (const FigureRun::Facet& facet : facets) {
-    const auto& [a, b, c] = facet.corners;
+  for (const auto& triangle : figure.triangles) {
+    const Vector &a = figure.points[triangle[0]], &b = figure.points[triangle[1]],
+                 &c = figure.points[triangle[2]];
     const Vector normal = cross(difference(b, a), difference(c, a));
     const double length = std::sqrt(dot(normal, normal));
     if (!(length > 0) || dot(normal, eye) <= 0) continue;
     Drawn next;
     for (std::size_t i = 0; i < 3; ++i)
-      next.corners[i] = {dot(facet.corners[i], right), dot(facet.corners[i], up)};
+      next.corners[i] = {dot(figure.points[triangle[i]], right),
+                         dot(figure.points[triangle[i]], up)};
     next.depth = std::lround(1e4 * (dot(a, eye) + dot(b, eye) + dot(c, eye)));
     next.light = 0.55 + 0.45 * dot(normal, eye) / length;
-    next.value = facet.value;
+    if (!figure.values.empty())
+      for (const int i : triangle) next.value += figure.values[i] / 3;
     drawn.push_back(next);
   }
   std::ranges::stable_sort(drawn, {}, &Drawn::depth);
@@ -103,20 +106,21 @@ std::string scale(double low, double high) {
 }  // namespace
 
 std::string picture(const FigureRun& figure) {
-  std::vector<Drawn> drawn = visible(figure.facets);
+  std::vector<Drawn> drawn = visible(figure);
   if (drawn.empty()) return "";
 
   double reach = 0;
   for (const Drawn& facet : drawn)
     for (const auto& [x, y] : facet.corners)
       reach = std::max({reach, std::abs(x), std::abs(y)});
-  const auto [low, high] = std::ranges::minmax(figure.facets, {}, &FigureRun::Facet::value);
-  const double span = high.value - low.value;
-  const bool coloured = !figure.coloured_by.empty();
+  const bool coloured = !figure.values.empty();
+  const auto [low, high] =
+      std::ranges::minmax(coloured ? figure.values : std::vector<double>{0});
+  const double span = high - low;
 
   std::string result = "\\begin{center}\\begin{tikzpicture}[line join=round]\n";
   for (const Drawn& facet : drawn) {
-    const double t = span > 1e-9 ? (facet.value - low.value) / span : 0.5;
+    const double t = span > 1e-9 ? (facet.value - low) / span : 0.5;
     result += "\\definecolor{facet}{rgb}{" +
               rgb(coloured ? colour(t) : Vector{0.62, 0.72, 0.80}, facet.light) +
               "}\\filldraw[facet,line width=0.1pt] ";
@@ -124,7 +128,7 @@ std::string picture(const FigureRun& figure) {
       result += point(3 * x / reach, 3 * y / reach) + " -- ";
     result += "cycle;\n";
   }
-  if (coloured) result += scale(low.value, high.value);
+  if (coloured) result += scale(low, high);
   return result + "\\end{tikzpicture}\\end{center}\n";
 }
 

@@ -76,15 +76,26 @@ struct TableRun {
   std::vector<Row> rows;
 };
 
-/// A picture: proves nothing, so it may hold rounded numbers.
+/// A picture made of samples: proves nothing, so it may hold rounded numbers.
 struct FigureRun {
-  struct Facet {
-    std::array<std::array<double, 3>, 3> corners;  ///< counterclockwise from outside
-    double value = 0;                              ///< what it is coloured by
+  using Point = std::array<double, 3>;
+  struct Line {
+    enum class Kind { seam, edge, net, curvature };  ///< `edge`: of a mesh
+    Kind kind = Kind::seam;
+    std::vector<Point> points;
+  };
+  struct Mark {  ///< where a claim about the surface is refuted
+    Point at{};
+    std::string label;  ///< the id of the claim
   };
   std::string title;
-  std::string coloured_by;  ///< `gauss`; empty: nothing, and `value` means nothing
-  std::vector<Facet> facets;
+  std::string coloured_by;  ///< `gauss`; empty: nothing
+  std::vector<Point> points;
+  std::vector<Point> normals;  ///< of length 1, outwards; one a point
+  std::vector<double> values;  ///< what it is coloured by, one a point; empty: nothing
+  std::vector<std::array<int, 3>> triangles;  ///< into `points`, counterclockwise from outside
+  std::vector<Line> lines;
+  std::vector<Mark> marks;
 };
 
 /// A question and its certified answer.

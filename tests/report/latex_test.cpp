@@ -83,9 +83,10 @@ TEST(Latex, the_glossary_has_the_predicates_used_and_no_others) {
 
 TEST(Latex, a_picture_shows_the_facets_that_look_at_the_eye) {
   FigureRun figure;
-  figure.facets = {{{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, 0}};
+  figure.points = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  figure.triangles = {{0, 1, 2}};
   EXPECT_TRUE(holds(picture(figure), "\\filldraw"));
-  std::swap(figure.facets[0].corners[0], figure.facets[0].corners[1]);
+  figure.triangles = {{1, 0, 2}};
   EXPECT_EQ(picture(figure), "");
 }
 

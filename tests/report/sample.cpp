@@ -147,16 +147,23 @@ ClaimRun cell(const std::string& id, Verdict verdict) {
 }
 
 FigureRun sphere() {
-  FigureRun figure{"A sphere", "gauss", {}};
-  const auto at = [](int i, int j) {
+  FigureRun figure;
+  figure.title = "A sphere";
+  figure.coloured_by = "gauss";
+  const auto add = [&](int i, int j) {
     const double theta = std::numbers::pi * i / 24, phi = std::numbers::pi * j / 24;
-    return std::array<double, 3>{std::sin(theta) * std::cos(phi),
-                                 std::sin(theta) * std::sin(phi), std::cos(theta)};
+    figure.points.push_back(
+        {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)});
+    figure.values.push_back(std::cos(theta));
   };
+  for (int i = 0; i <= 24; ++i)
+    for (int j = 0; j <= 48; ++j) add(i, j);
+  figure.normals = figure.points;
+  const auto at = [](int i, int j) { return 49 * i + j; };
   for (int i = 0; i < 24; ++i)
     for (int j = 0; j < 48; ++j) {
-      figure.facets.push_back({{at(i, j), at(i + 1, j), at(i + 1, j + 1)}, at(i, j)[2]});
-      figure.facets.push_back({{at(i, j), at(i + 1, j + 1), at(i, j + 1)}, at(i, j)[2]});
+      figure.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      figure.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
     }
   return figure;
 }

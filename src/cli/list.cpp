@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <iostream>
+
+#include "certificate/json.h"
+#include "cli/commands.h"
+#include "cli/files.h"
+
+namespace seam::cli {
+namespace fs = std::filesystem;
+
+int list_claims(const std::vector<std::string>& files) {
+  for (const fs::path& file : seam_files(files)) {
+    const claims::File parsed_file = parsed(file);
+    for (const auto& item : parsed_file.items)
+      if (item.kind == claims::Item::Kind::claim || item.kind == claims::Item::Kind::table)
+        std::cout << (item.claim.id.empty() ? item.name : item.claim.id) << "\n";
+  }
+  return ok;
+}
+
+int list_obligations(const std::vector<std::string>& files) {
+  for (const fs::path& file : seam_files(files)) {
+    const claims::Meaning meaning = meant(file);
+    const auto print = [](const std::string& id, const claims::Lowered& lowered) {
+      const std::string digest =
+          lowered.exported ? certificate::digest(lowered.exported->statement).substr(0, 16)
+                           : "unsupported     ";
+      std::cout << digest << "  " << id << "\n";
+    };
+    const auto print_claim = [&](const claims::MeantClaim& claim) {
+      print(claim.claim.id, claim.printed);
+      if (claim.corrected) print(claim.claim.id + " (corrected)", *claim.corrected);
+    };
+    for (const auto& item : meaning.items) {
+      if (const auto* claim = std::get_if<claims::MeantClaim>(&item)) print_claim(*claim);
+      if (const auto* table = std::get_if<claims::MeantTable>(&item))
+        for (const auto& row : table->rows)
+          for (const auto& cell : row.cells) print_claim(cell);
+    }
+  }
+  return ok;
+}
+
+}  // namespace seam::cli

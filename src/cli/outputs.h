@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "cli/verify.h"
+
+namespace seam::cli {
+
+/// Where the results of a run go, and what is said of them.
+struct Outputs {
+  std::string out;   ///< a folder for report.tex, results.json, certificates/; empty: none
+  std::string json;  ///< a file, `-` for standard output; empty: none
+  bool pdf = false;
+  bool allow_undecided = false;
+  bool quiet = false;
+  bool verbose = false;
+  std::string colour = "auto";
+};
+
+/// `seamproof 0.1.0`
+std::string tool_name();
+
+/// The whole file or none of it. Throws `Failure` (74).
+void write(const std::filesystem::path&, const std::string& bytes);
+
+/// The folder of one verified file: its certificates, results.json and the report.
+void write_folder(const std::filesystem::path& folder, const Verified&, const Outputs&);
+
+}  // namespace seam::cli

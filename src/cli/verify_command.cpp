@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+
+#include "cli/commands.h"
+#include "cli/files.h"
+#include "cli/progress.h"
+#include "report/json.h"
+#include "report/terminal.h"
+
+namespace seam::cli {
+namespace fs = std::filesystem;
+namespace {
+
+report::Colour colour_of(const std::string& word) {
+  if (word == "always") return report::Colour::always;
+  return word == "never" ? report::Colour::never : report::Colour::automatic;
+}
+
+}  // namespace
+
+int verify_files(const std::vector<std::string>& arguments, const VerifyOptions& options,
+                 const Outputs& outputs) {
+  const std::vector<fs::path> files = seam_files(arguments);
+  const bool colour = report::wants_colour(colour_of(outputs.colour),
+                                           isatty(STDOUT_FILENO) != 0, std::getenv("NO_COLOR"));
+  report::Run run{tool_name(), {}};
+  for (const fs::path& file : files) {
+    ProgressLine progress(outputs.quiet);
+    Verified verified = verify(file, options, [&](int done, int all, const std::string& id) {
+      progress(done, all, id);
+    });
+    if (!outputs.out.empty()) {
+      const fs::path folder =
+          files.size() == 1 ? fs::path(outputs.out) : fs::path(outputs.out) / file.stem();
+      write_folder(folder, verified, outputs);
+    }
+    run.files.push_back(std::move(verified.run));
+  }
+  const bool nothing =
+      std::ranges::all_of(run.files, [](const auto& f) { return report::claims(f).empty(); });
+  if (nothing && !options.claims.empty()) throw Failure{usage, "no claim has such an id\n"};
+  if (!outputs.json.empty() && outputs.json != "-") write(outputs.json, report::json(run));
+  if (outputs.json == "-") {
+    std::cout << report::json(run);
+  } else if (!outputs.quiet) {
+    std::cout << report::terminal(run, colour);
+  }
+  for (const auto& file : run.files)
+    for (const report::ClaimRun* claim : report::claims(file))
+      for (const report::Outcome* outcome :
+           {&claim->printed, claim->corrected ? &*claim->corrected : nullptr})
+        if (outcome && !outcome->alarm.empty())
+          std::cerr << "soundness alarm: " << claim->id
+                    << ": the checker did not accept the evidence: " << outcome->alarm << "\n";
+  return report::exit_status(run, outputs.allow_undecided);
+}
+
+}  // namespace seam::cli
