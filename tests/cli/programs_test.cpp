@@ -61,6 +61,17 @@ TEST_F(Programs, the_exit_status_says_what_was_wrong_with_the_input) {
   EXPECT_EQ(seamproof("verify missing.seam").status, 66);
 }
 
+TEST_F(Programs, an_option_that_may_be_repeated_takes_one_value_at_a_time) {
+  EXPECT_EQ(seamproof("verify --claim a --claim b right.seam").status, 0);
+}
+
+TEST_F(Programs, a_number_that_must_be_above_0_says_so) {
+  const Finished finished = seamproof("verify right.seam --timeout 0");
+  EXPECT_EQ(finished.status, 64);
+  EXPECT_NE(finished.output.find("'0' is no number above 0"), std::string::npos)
+      << finished.output;
+}
+
 TEST_F(Programs, an_output_folder_that_cannot_be_made_gives_74) {
   EXPECT_EQ(seamproof("verify right.seam --out right.seam/out").status, 74);
 }
