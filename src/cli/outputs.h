@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "cli/verify.h"
 
@@ -21,6 +22,9 @@ struct Outputs {
 
 /// `seamproof 0.1.0`
 std::string tool_name();
+
+/// The libraries at work, with their versions; the checker's own last.
+std::vector<std::string> libraries();
 
 /// The whole file or none of it. Throws `Failure` (74).
 void write(const std::filesystem::path&, const std::string& bytes);

@@ -12,6 +12,7 @@
 
 #include "certificate/sha256.h"
 #include "claims/latex.h"
+#include "claims/rests_on.h"
 #include "cli/figure.h"
 #include "cli/files.h"
 #include "cli/outcome.h"
@@ -149,9 +150,24 @@ std::string file_name(const std::string& id, bool correction) {
   return "certificates/" + name + (correction ? ".corrected" : "") + ".json";
 }
 
+std::vector<std::string> names_of(const claims::Item& item) {
+  return item.names.empty() ? std::vector{item.name} : item.names;
+}
+
+report::DefinitionRun definition_run(const claims::Item& item) {
+  report::DefinitionRun run{claims::latex(item), item.comments, names_of(item)};
+  claims::Item bare = item;
+  bare.comments.clear();
+  run.text = claims::format(claims::File{nullptr, {std::move(bare)}, {}});
+  while (run.text.ends_with('\n')) run.text.pop_back();
+  run.is_parameter = item.kind == claims::Item::Kind::param;
+  return run;
+}
+
 class Assembly {
  public:
-  Assembly(std::vector<Task>& tasks, const claims::Meaning& meaning) : tasks_(tasks) {
+  Assembly(std::vector<Task>& tasks, const claims::Meaning& meaning)
+      : tasks_(tasks), meaning_(meaning) {
     std::map<std::string, std::vector<std::string>> uses;
     each_claim(meaning, [&](const MeantClaim& claim) {
       uses[claim.claim.id] = claim.claim.using_claims;
@@ -169,6 +185,8 @@ class Assembly {
     run.comments = meant.comments;
     run.using_claims = meant.claim.using_claims;
     run.predicates.assign(meant.printed.predicates.begin(), meant.printed.predicates.end());
+    for (const claims::Item* item : claims::rests_on(meaning_, meant.claim))
+      for (const std::string& name : names_of(*item)) run.definitions.push_back(name);
     run.expected = meant.corrected || meant.claim.expect == "refuted" ? Verdict::refuted
                    : meant.claim.expect == "undecided"                ? Verdict::undecided
                                                                       : Verdict::proven;
@@ -228,6 +246,7 @@ class Assembly {
   }
 
   std::vector<Task>& tasks_;
+  const claims::Meaning& meaning_;
   std::size_t next_ = 0;
   std::map<std::string, Verdict> verdicts_;
   std::map<std::string, std::string> because_;
@@ -260,8 +279,7 @@ Verified verify(const std::filesystem::path& file, const VerifyOptions& options,
     if (const auto* section = std::get_if<claims::MeantSection>(&item)) {
       result.run.items.push_back(report::SectionRun{section->title});
     } else if (const auto* definition = std::get_if<claims::MeantDefinition>(&item)) {
-      result.run.items.push_back(
-          report::DefinitionRun{claims::latex(definition->item), definition->item.comments});
+      result.run.items.push_back(definition_run(definition->item));
     } else if (const auto* claim = std::get_if<MeantClaim>(&item)) {
       if (auto run = assembly.claim(*claim)) result.run.items.push_back(std::move(*run));
     } else if (const auto* table = std::get_if<claims::MeantTable>(&item)) {

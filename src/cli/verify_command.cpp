@@ -27,7 +27,7 @@ int verify_files(const std::vector<std::string>& arguments, const VerifyOptions&
   const std::vector<fs::path> files = seam_files(arguments);
   const bool colour = report::wants_colour(colour_of(outputs.colour),
                                            isatty(STDOUT_FILENO) != 0, std::getenv("NO_COLOR"));
-  report::Run run{tool_name(), {}};
+  report::Run run{tool_name(), {}, libraries()};
   for (const fs::path& file : files) {
     ProgressLine progress(outputs.quiet);
     Verified verified = verify(file, options, [&](int done, int all, const std::string& id) {

@@ -49,8 +49,9 @@ struct ClaimRun {
   std::optional<Outcome> corrected;
   Verdict expected = Verdict::proven;  ///< refuted where there is a correction
   std::vector<std::string> using_claims;
-  std::vector<std::string> predicates;  ///< names of the predicates it uses: `G1`
-  double seconds = 0;                   ///< for the terminal; never in a file
+  std::vector<std::string> predicates;        ///< names of the predicates it uses: `G1`
+  std::vector<std::string> definitions = {};  ///< names of all that it speaks of, in file order
+  double seconds = 0;                         ///< for the terminal; never in a file
 };
 
 struct SectionRun {
@@ -61,6 +62,9 @@ struct SectionRun {
 struct DefinitionRun {
   std::string latex;
   std::vector<std::string> comments;
+  std::vector<std::string> names = {};
+  std::string text = {};      ///< canonical source text
+  bool is_parameter = false;  ///< what is said of it holds for every value that it may have
 };
 
 /// A printed table; each cell is a claim with the id `tableid.row.column`.
@@ -120,6 +124,7 @@ struct FileRun {
 struct Run {
   std::string tool;  ///< `seamproof 0.1.0`
   std::vector<FileRun> files;
+  std::vector<std::string> libraries = {};  ///< at work in it, with versions: `GiNaC 1.8.6`
 };
 
 struct Summary {

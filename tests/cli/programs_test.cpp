@@ -131,19 +131,17 @@ TEST_F(Programs, a_new_file_verifies) {
   EXPECT_EQ(seamproof("verify first.seam").status, 0);
 }
 
-TEST_F(Programs, the_example_of_the_README_verifies) {
-  std::ifstream readme(PROJECT "/README.md");
-  std::string example;
-  bool inside = false;
-  for (std::string line; std::getline(readme, line);) {
-    if (line == "# first.seam") inside = true;
-    if (line == "```") inside = false;
-    if (inside) example += line + "\n";
-  }
-  ASSERT_FALSE(example.empty());
-  write("first.seam", example);
-  const Finished finished = seamproof("verify first.seam");
-  EXPECT_EQ(finished.status, 0) << finished.output;
+TEST_F(Programs, trust_names_what_a_verdict_rests_on_and_nothing_else) {
+  write("rests.seam",
+        "param c in (0, 1)\nlet f(x) = c*x\nlet g = 7\n"
+        "claim a: c > 0\nclaim b: f(2) > 0\n    using a\nclaim d: g = 7\n");
+  const Finished finished = seamproof("trust rests.seam b");
+  EXPECT_EQ(finished.status, 0);
+  for (const char* expected :
+       {"b: proven", "let f(x) = c*x", "param c in (0, 1)", "the claim a, proven",
+        "certificates/a.json", "certificates/b.json", "Boost", "GiNaC"})
+    EXPECT_NE(finished.output.find(expected), std::string::npos) << expected;
+  EXPECT_EQ(finished.output.find("g = 7"), std::string::npos);
 }
 
 }  // namespace
