@@ -16,7 +16,7 @@ std::string names(const std::string& text) {
     if (const auto* found = std::get_if<MeantClaim>(&item)) claim = &found->claim;
   std::string result;
   for (const Item* item : rests_on(meaning, *claim)) {
-    std::string name = item->name;
+    std::string name = item->names.empty() ? item->name : "";
     for (const std::string& one : item->names) name += (name.empty() ? "" : "+") + one;
     result += (result.empty() ? "" : " ") + name;
   }
