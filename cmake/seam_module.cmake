@@ -24,9 +24,11 @@ function(seam_module name)
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   if(sources)
     add_library(seam_${name} STATIC ${sources})
-    target_include_directories(seam_${name} PUBLIC ${root})
-    target_link_libraries(seam_${name} PUBLIC seam_flags ${ARG_DEPENDS} ${ARG_PUBLIC_LIBS}
+    target_include_directories(seam_${name} PUBLIC $<BUILD_INTERFACE:${root}>)
+    target_compile_features(seam_${name} PUBLIC cxx_std_20)
+    target_link_libraries(seam_${name} PUBLIC $<BUILD_INTERFACE:seam_flags> ${ARG_DEPENDS} ${ARG_PUBLIC_LIBS}
                           PRIVATE ${ARG_PRIVATE_LIBS})
+    set_target_properties(seam_${name} PROPERTIES OUTPUT_NAME seamproof_${name} EXPORT_NAME ${name})
   else()
     add_library(seam_${name} INTERFACE)
     target_include_directories(seam_${name} INTERFACE ${root})
