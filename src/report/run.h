@@ -84,7 +84,9 @@ struct TableRun {
 struct FigureRun {
   using Point = std::array<double, 3>;
   struct Line {
-    enum class Kind { seam, edge, net, curvature };  ///< `edge`: of a mesh
+    /// `edge`: of a mesh, or a side of a patch that lies on no seam; `curve`: one that is
+    /// itself shown; `contour`: where the value is one of the ticks of the legend.
+    enum class Kind { seam, edge, net, curvature, curve, contour };
     Kind kind = Kind::seam;
     std::vector<Point> points;
   };
@@ -92,8 +94,13 @@ struct FigureRun {
     Point at{};
     std::string label;  ///< the id of the claim
   };
+  std::string id;  ///< may be empty
   std::string title;
-  std::string coloured_by;  ///< `gauss`; empty: nothing
+  std::string at;           ///< `Fig. 5`; may be empty
+  std::string coloured_by;  ///< `gauss`, `mean`, or an expression; empty: nothing
+  std::string coloured_by_latex;
+  std::string note;     ///< what the drawing leaves out or alters, in sentences; may be empty
+  bool closed = false;  ///< only the outside of the facets can be seen
   std::vector<Point> points;
   std::vector<Point> normals;  ///< of length 1, outwards; one a point
   std::vector<double> values;  ///< what it is coloured by, one a point; empty: nothing
