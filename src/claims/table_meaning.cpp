@@ -76,7 +76,7 @@ void Reader::table(const Item& item) {
           cell.corrected = compared(right->second);
         add_id(cell.id, row.value.span);
         try {
-          meant_row.cells.push_back(meant(cell, scope, row.value.span));
+          meant_row.cells.push_back(meant(cell, scope, row.printed[k].span));
         } catch (const Problem& problem) {
           report(problem.diagnostic);
         } catch (const Broken&) {

@@ -166,8 +166,8 @@ report::DefinitionRun definition_run(const claims::Item& item) {
 
 class Assembly {
  public:
-  Assembly(std::vector<Task>& tasks, const claims::Meaning& meaning)
-      : tasks_(tasks), meaning_(meaning) {
+  Assembly(std::vector<Task>& tasks, const claims::Meaning& meaning, std::string file)
+      : tasks_(tasks), meaning_(meaning), file_(std::move(file)) {
     std::map<std::string, std::vector<std::string>> uses;
     each_claim(meaning, [&](const MeantClaim& claim) {
       uses[claim.claim.id] = claim.claim.using_claims;
@@ -183,6 +183,10 @@ class Assembly {
     run.title = meant.claim.title;
     run.at = meant.claim.at;
     run.comments = meant.comments;
+    const text::Position place = text::position(*meant.span.source, meant.span.begin);
+    run.line = place.line;
+    run.column = place.column;
+    if (meant.span.source->name != file_) run.included = meant.span.source->name;
     run.using_claims = meant.claim.using_claims;
     run.predicates.assign(meant.printed.predicates.begin(), meant.printed.predicates.end());
     for (const claims::Item* item : claims::rests_on(meaning_, meant.claim))
@@ -247,6 +251,7 @@ class Assembly {
 
   std::vector<Task>& tasks_;
   const claims::Meaning& meaning_;
+  std::string file_;  ///< its own, as it was asked for
   std::size_t next_ = 0;
   std::map<std::string, Verdict> verdicts_;
   std::map<std::string, std::string> because_;
@@ -267,7 +272,7 @@ Verified verify(const std::filesystem::path& file, const VerifyOptions& options,
   run(tasks, meaning, options, progress);
   ask_for_second_opinions(tasks);
 
-  Assembly assembly(tasks, meaning);
+  Assembly assembly(tasks, meaning, file.string());
   Verified result;
   result.run.file = file.filename().string();
   result.run.paper = meaning.paper;

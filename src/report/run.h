@@ -51,7 +51,10 @@ struct ClaimRun {
   std::vector<std::string> using_claims;
   std::vector<std::string> predicates;        ///< names of the predicates it uses: `G1`
   std::vector<std::string> definitions = {};  ///< names of all that it speaks of, in file order
-  double seconds = 0;                         ///< for the terminal; never in a file
+  int line = 0, column = 0;  ///< of the id, or of the cell; from 1 on, in code points
+  std::string included =
+      {};              ///< the file it stands in, if that is not the run's: `parts/a.seam`
+  double seconds = 0;  ///< for the terminal; never in a file
 };
 
 struct SectionRun {
