@@ -10,6 +10,7 @@
 #include "claims/evaluate.h"
 #include "claims/function_type.h"
 #include "claims/meaning.h"
+#include "symbolic/proposition.h"
 
 namespace seam::claims {
 
@@ -28,6 +29,21 @@ class Reader {
       read(*items_.back());
     }
   }
+
+  /// What the expression of a claim, a question or a definition stands in: of a cell of a table
+  /// the value of its column, and what that rests on; of all others nothing.
+  struct Place {
+    Scope scope;
+    std::vector<symbolic::Proposition> standing;
+  };
+  const Place& place(const std::string& id) const;
+
+  /// A statement in such a place.
+  Lowered lower(const Expression& statement, const Place&);
+  /// What the number seems to be. Throws `Unsupported` where none is found.
+  std::string likely_decimal(const Expression& number, const Place&, int digits);
+  /// Whether the name is defined as a number.
+  bool defines_number(const std::string& name) const;
 
   void check_using();
   MeantAsk question(const std::string& id, const Expression&, int digits);
@@ -59,6 +75,7 @@ class Reader {
   std::vector<std::unique_ptr<Item>> items_;  // functions refer to them
   std::set<std::string> included_;
   std::map<std::string, text::Span> ids_;
+  std::map<std::string, Place> places_;  // of cells
 };
 
 }  // namespace seam::claims

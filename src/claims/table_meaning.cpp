@@ -75,6 +75,7 @@ void Reader::table(const Item& item) {
         if (const auto right = row.corrected.find(k); right != row.corrected.end())
           cell.corrected = compared(right->second);
         add_id(cell.id, row.value.span);
+        places_[cell.id] = {scope, evaluator_.standing};
         try {
           meant_row.cells.push_back(meant(cell, scope, row.printed[k].span));
         } catch (const Problem& problem) {

@@ -16,6 +16,7 @@
 #include "cli/figure.h"
 #include "cli/files.h"
 #include "cli/outcome.h"
+#include "cli/true_digits.h"
 #include "symbolic/second_opinion.h"
 
 // One task a statement, in any order; results go to places fixed beforehand, so the order
@@ -306,6 +307,7 @@ Verified verify(const std::filesystem::path& file, const VerifyOptions& options,
       if (figure->value) result.run.items.push_back(sampled(*figure, *meaning.numbers));
     }
   }
+  add_true_digits(result.run, meaning, file, options);
   result.certificates = std::move(assembly.certificates);
   return result;
 }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/latex.h"
 
-#include <algorithm>
-
 #include "report/escape.h"
 #include "report/figure.h"
 #include "report/glossary.h"
 #include "report/latex_claim.h"
+#include "report/latex_errata.h"
 #include "report/latex_front.h"
 #include "report/latex_macro.h"
+#include "report/latex_table.h"
 #include "report/mathematics.h"
 #include "report/style.h"
 
@@ -29,23 +29,7 @@ std::string latex_item(const ClaimRun& claim) {
 }
 
 std::string latex_item(const TableRun& table) {
-  std::size_t columns = table.labels.size();
-  for (const TableRun::Row& row : table.rows) columns = std::max(columns, row.cells.size());
-  std::string result = "\\SeamBand{black}{\\texttt{\\textbf{" + escape(table.id) + "}}\\quad " +
-                       escape(table.title) + "}{\\textcolor{quiet}{" + escape(table.at) +
-                       "}}\n\\begin{SeamIndent}\n";
-  result += latex_note(table.comments);
-  result += "\\begin{tabular}{@{}l*{" + std::to_string(columns) + "}{r}@{}}\\toprule\n";
-  for (const std::string& label : table.labels) result += " & " + escape(label);
-  result += "\\\\\\midrule\n";
-  for (const TableRun::Row& row : table.rows) {
-    result += escape(row.label);
-    for (std::size_t i = 0; i < row.cells.size(); ++i)
-      result += " & " + (i < row.printed.size() ? escape(row.printed[i]) : std::string()) +
-                "\\,\\SeamMark{" + word(row.cells[i].printed.verdict) + "}";
-    result += "\\\\\n";
-  }
-  result += "\\bottomrule\\end{tabular}\n\\end{SeamIndent}\n";
+  std::string result = latex_table(table);
   for (const TableRun::Row& row : table.rows)
     for (const ClaimRun& cell : row.cells) result += latex_claim(cell);
   return result;
@@ -56,7 +40,7 @@ std::string latex_item(const FigureRun& figure) {
   if (drawn.empty()) return "";
   return drawn + "\\begin{center}\\small " + escape(figure.title) +
          (figure.coloured_by.empty() ? "" : ", coloured by " + escape(figure.coloured_by)) +
-         ". \\textcolor{quiet}{A picture; it proves nothing.}\\end{center}\n";
+         ". \\SeamQuiet{A picture; it proves nothing.}\\end{center}\n";
 }
 
 std::string latex_item(const AskRun& ask) {
@@ -102,7 +86,7 @@ std::string closing(const Run& run) {
 }  // namespace
 
 std::string latex(const Run& run) {
-  std::string result(style);
+  std::string result = std::string(preamble) + std::string(style);
   result += "\\title{" +
             escape(run.files.empty()            ? run.tool
                    : run.files[0].paper.empty() ? run.files[0].file
@@ -110,7 +94,7 @@ std::string latex(const Run& run) {
             "}\n\\begin{document}\n";
   for (const FileRun& file : run.files) {
     if (&file != run.files.data()) result += "\\clearpage\n";
-    result += latex_front(file, run.tool) + latex_errata(file);
+    result += latex_front(file, run) + latex_errata(file);
     for (const ItemRun& item : file.items)
       result += std::visit([](const auto& it) { return latex_item(it); }, item);
   }

@@ -2,6 +2,8 @@
 #include "report/latex_claim.h"
 
 #include <algorithm>
+#include <map>
+#include <regex>
 
 #include "report/escape.h"
 #include "report/latex_macro.h"
@@ -11,6 +13,7 @@ namespace seam::report {
 namespace {
 
 constexpr std::size_t longest_obligation = 1500;  // bytes; beyond, the certificate has it
+constexpr std::size_t longest_witness = 5000;     // beyond, it is shown as it is
 constexpr std::size_t most_evidence = 3;  // different lines of evidence shown for a group
 
 const char* name(ObligationRun::Status status) {
@@ -23,6 +26,16 @@ const char* name(ObligationRun::Status status) {
       break;
   }
   return "open";
+}
+
+// What an obligation says that is about nothing in particular.
+std::string saying(const std::string& kind) {
+  static const std::map<std::string, std::string> words = {
+      {"zero", "an identity"},          {"sign", "a sign"},
+      {"solutions", "all solutions"},   {"gluing", "how the patches are glued"},
+      {"distinct", "no two are equal"}, {"mesh", "what is counted on the mesh"}};
+  const auto known = words.find(kind);
+  return known == words.end() ? escape(kind) : known->second;
 }
 
 // Obligations that are alike but for their formulas: one line in the report.
@@ -61,10 +74,10 @@ std::string evidence_of(const Group& group) {
 
 std::string latex_group(const Group& group) {
   const ObligationRun& first = *group.first;
-  std::string words = escape(first.about.empty() ? first.kind : first.about);
-  if (first.guard) words += " \\textcolor{quiet}{(so that the formulas mean something)}";
+  std::string words = first.about.empty() ? saying(first.kind) : escape(first.about);
+  if (first.guard) words += " \\SeamQuiet{(so that the formulas mean something)}";
   if (group.count > 1)
-    words += " \\textcolor{quiet}{--- " + std::to_string(group.count) + " of this kind}";
+    words += " \\SeamQuiet{--- " + std::to_string(group.count) + " of this kind}";
   std::string result =
       latex_call("SeamObligation", {name(first.status), words, evidence_of(group)});
   const std::string shown = first.latex.empty() ? first.text : first.latex;
@@ -105,13 +118,27 @@ std::string latex_outcome(const Outcome& outcome,
   if (!outcome.alarm.empty())
     result += latex_call("SeamAlarm", {"The checker objects: " + escape(outcome.alarm)});
   if (!outcome.witness.empty())
-    result += latex_call("SeamLine", {"witness", escape(outcome.witness)});
+    result += latex_call("SeamLine", {"witness", latex_witness(outcome.witness)});
   const std::string reason = joined({escape(outcome.reason), escape(outcome.detail)}, ": ");
   if (!reason.empty()) result += latex_call("SeamLine", {"reason", reason});
   return result + latex_obligations(outcome.obligations) + latex_trace(outcome, using_claims);
 }
 
 }  // namespace
+
+std::string latex_witness(const std::string& witness) {
+  static const std::pair<std::regex, std::string> signs[] = {
+      {std::regex(" != "), " ≠ "},
+      {std::regex(" <= "), " ≤ "},
+      {std::regex(" >= "), " ≥ "},
+      {std::regex("sqrt\\((\\d+)\\)"), "√$1"},
+      {std::regex("\\*"), "·"}};
+  std::string result = witness;
+  if (result.size() <= longest_witness)
+    for (const auto& [spelled, sign] : signs)
+      result = std::regex_replace(result, spelled, sign);
+  return escape(result);
+}
 
 std::string latex_anchor(const ClaimRun& claim) {
   std::string anchor = "claim.";
@@ -129,6 +156,8 @@ std::string latex_claim(const ClaimRun& claim) {
     result +=
         latex_call("SeamLine", {"expected", latex_call("SeamVerdict", {word(claim.expected)})});
   result += latex_outcome(claim.printed, claim.using_claims);
+  if (!claim.true_digits.empty())
+    result += latex_call("SeamLine", {"true digits", escape(claim.true_digits)});
   if (claim.corrected) {
     result += latex_call(
         "SeamLine", {"corrected", latex_call("SeamVerdict", {word(claim.corrected->verdict)})});

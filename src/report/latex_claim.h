@@ -11,6 +11,9 @@ namespace seam::report {
 /// it was turned into, and where its certificate lies.
 std::string latex_claim(const ClaimRun&);
 
+/// What refutes a claim, with the signs of mathematics.
+std::string latex_witness(const std::string& witness);
+
 /// The name that a link to the claim goes by.
 std::string latex_anchor(const ClaimRun&);
 

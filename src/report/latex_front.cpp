@@ -5,9 +5,7 @@
 #include <vector>
 
 #include "report/escape.h"
-#include "report/latex_claim.h"
 #include "report/latex_macro.h"
-#include "report/mathematics.h"
 
 namespace seam::report {
 namespace {
@@ -71,50 +69,39 @@ std::string sentence(const Summary& summary) {
          " as the author of the file expects. ";
 }
 
+std::string fact(const std::string& name, const std::string& value) {
+  return value.empty() ? "" : name + " & " + value + "\\\\\n";
+}
+
+// What was read, and by what: enough to make the same report again.
+std::string facts(const FileRun& file, const Run& run) {
+  std::vector<std::string> libraries;
+  for (const std::string& library : run.libraries) libraries.push_back(escape(library));
+  return "\\begin{SeamFacts}\n" + fact("claims", "\\texttt{" + escape(file.file) + "}") +
+         fact("SHA-256",
+              file.sha256.empty() ? "" : "{\\small\\texttt{" + escape(file.sha256) + "}}") +
+         fact("read by", escape(run.tool)) + fact("with", joined(libraries, ", ")) +
+         "\\end{SeamFacts}\n";
+}
+
 }  // namespace
 
-std::string latex_front(const FileRun& file, const std::string& tool) {
+std::string latex_front(const FileRun& file, const Run& run) {
   const std::string title = file.paper.empty() ? file.file : file.paper;
   std::string result = "\\renewcommand{\\SeamRunning}{" + escape(title) + "}\n";
+  result += "{\\color{seamquiet}\\large Verification report\\par}\n\\vspace{8pt}\n";
   result += "{\\LARGE\\bfseries\\raggedright " + escape(title) + "\\par}\n\\vspace{2pt}\n";
-  std::string whose = escape(file.by);
-  for (const std::string& more : {file.source, file.year})
-    if (!more.empty()) whose += (whose.empty() ? "" : ", ") + escape(more);
+  const std::string whose =
+      joined({escape(file.by), escape(file.source), escape(file.year)}, ", ");
   if (!whose.empty()) result += "{\\large\\raggedright " + whose + "\\par}\n";
-  result += "\\vspace{6pt}{\\large\\color{quiet} Verification report\\par}\n\\vspace{6pt}\n";
-  result += sentence(summarize(file));
+  result += "\\vspace{8pt}\n" + sentence(summarize(file));
   if (has_alarm(file))
     result += "\\SeamAlarm{Evidence of this run was rejected; see the claims so marked.}\n";
   else
     result +=
         "Every \\emph{proven} and every \\emph{refuted} was accepted by the independent "
         "checker from the certificate named with it.\\par\n";
-  result += summary_table(file);
-  result += "\\SeamTrace{\\texttt{" + escape(file.file) + "}";
-  if (!file.sha256.empty()) result += ", SHA-256 \\texttt{" + escape(file.sha256) + "}";
-  return result + ", read by " + escape(tool) + "}\n";
-}
-
-std::string latex_errata(const FileRun& file) {
-  std::string result;
-  for (const ClaimRun* claim : claims(file)) {
-    if (claim->printed.verdict != Verdict::refuted) continue;
-    result += "\\SeamBand{refuted}{\\hyperlink{" + latex_anchor(*claim) +
-              "}{\\texttt{\\textbf{" + escape(claim->id) + "}}}\\quad " + escape(claim->title) +
-              "}{\\textcolor{quiet}{" + escape(claim->at) + "}}\n\\begin{SeamIndent}\n";
-    result += latex_note(claim->comments) + "\\textcolor{quiet}{printed}\\nobreak\n" +
-              latex_call("SeamFormula", {mathematics(claim->printed.latex)});
-    if (!claim->printed.witness.empty())
-      result += latex_call("SeamLine", {"witness", escape(claim->printed.witness)});
-    if (claim->corrected)
-      result += "\\textcolor{quiet}{corrected} \\SeamVerdict{" +
-                std::string(word(claim->corrected->verdict)) + "}\\nobreak\n" +
-                latex_call("SeamFormula", {mathematics(claim->corrected->latex)});
-    result += "\\end{SeamIndent}\n";
-  }
-  if (result.empty()) return "";
-  return latex_heading("Errata") + "What the paper prints and what was refuted.\\par\n" +
-         result;
+  return result + summary_table(file) + facts(file, run);
 }
 
 }  // namespace seam::report

@@ -7,11 +7,7 @@
 
 namespace seam::report {
 
-/// The title, the verdicts counted by section, and what file was read.
-std::string latex_front(const FileRun&, const std::string& tool);
-
-/// What the paper prints and what was refuted, with the corrections; empty where there is
-/// nothing.
-std::string latex_errata(const FileRun&);
+/// The title, the verdicts counted by section, and what read which file with which libraries.
+std::string latex_front(const FileRun&, const Run&);
 
 }  // namespace seam::report

@@ -47,6 +47,7 @@ struct ClaimRun {
   std::vector<std::string> comments;  ///< the comment lines above it in the file
   Outcome printed;                    ///< the statement as the paper prints it
   std::optional<Outcome> corrected;
+  std::string true_digits = {};        ///< where printed ones are wrong: certified; empty: none
   Verdict expected = Verdict::proven;  ///< refuted where there is a correction
   std::vector<std::string> using_claims;
   std::vector<std::string> predicates;        ///< names of the predicates it uses: `G1`

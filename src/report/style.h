@@ -5,9 +5,11 @@
 
 namespace seam::report {
 
-/// The LaTeX preamble of every report: packages of texlive-latex-recommended, lmodern and
-/// texlive-pictures, and the macros that latex.cpp writes. A report is one file that needs no
-/// other.
+/// The file seamproof.sty: the macros of the report and of the papers that use parts of it.
 extern const std::string_view style;
+
+/// What stands before the style in the report: its paper, fonts and margins. With both, LaTeX
+/// (Debian: texlive-latex-recommended, texlive-pictures, lmodern) needs no other file of ours.
+extern const std::string_view preamble;
 
 }  // namespace seam::report

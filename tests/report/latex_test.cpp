@@ -9,6 +9,8 @@
 
 #include "report/figure.h"
 #include "report/glossary.h"
+#include "report/latex_errata.h"
+#include "report/latex_table.h"
 #include "report/pdf.h"
 #include "sample.h"
 
@@ -53,7 +55,59 @@ TEST(Latex, a_refuted_claim_is_listed_under_errata_and_a_proven_one_is_not) {
   claim.printed.verdict = Verdict::proven;
   EXPECT_FALSE(holds(latex_of(claim), "Errata"));
   claim.printed.verdict = Verdict::refuted;
+  EXPECT_TRUE(holds(latex_of(claim), "Refuted, without a proven correction"));
+  claim.corrected.emplace().verdict = Verdict::proven;
   EXPECT_TRUE(holds(latex_of(claim), "Errata"));
+}
+
+ClaimRun refuted_at(const std::string& id, const std::string& at) {
+  ClaimRun claim;
+  claim.id = id;
+  claim.at = at;
+  claim.printed.verdict = claim.expected = Verdict::refuted;
+  claim.printed.latex = "x = 1";
+  return claim;
+}
+
+TEST(Errata, what_stands_at_one_place_of_the_paper_stands_together) {
+  FileRun file;
+  for (const auto& [id, at] : {std::pair("a", "p. 4"), {"b", "p. 2"}, {"c", "p. 4"}})
+    file.items.push_back(refuted_at(id, at));
+  const std::string errata = latex_errata(file);
+  const auto place = [&](const std::string& part) { return errata.find(part); };
+  EXPECT_LT(place("\\SeamPlace{p. 4}"), place("\\textbf{a}"));
+  EXPECT_LT(place("{a}"), place("{c}"));
+  EXPECT_LT(place("{c}"), place("\\SeamPlace{p. 2}"));
+  EXPECT_LT(place("\\SeamPlace{p. 2}"), place("{b}"));
+}
+
+TEST(Errata, should_read_is_said_of_a_proven_correction_and_of_certified_digits_alone) {
+  FileRun file;
+  ClaimRun claim = refuted_at("a", "p. 4");
+  const auto errata = [&] {
+    file.items = {claim};
+    return latex_errata(file);
+  };
+  EXPECT_FALSE(holds(errata(), "should read"));
+  claim.corrected.emplace().verdict = Verdict::undecided;
+  EXPECT_FALSE(holds(errata(), "should read"));
+  EXPECT_TRUE(holds(errata(), "\\SeamVerdict{undecided}"));
+  claim.corrected->verdict = Verdict::proven;
+  EXPECT_TRUE(holds(errata(), "should read"));
+  claim.corrected.reset();
+  claim.true_digits = "0.286";
+  EXPECT_TRUE(holds(errata(), "{should read}\n0.286"));
+}
+
+TEST(Table, a_cell_that_is_wrong_has_the_true_digits_below_what_is_printed) {
+  TableRun table{"t", "", "", {"one"}, {}, {}};
+  table.rows = {{"row", "x", {refuted_at("t.row.one", "")}, {"0.287"}}};
+  table.rows[0].cells[0].true_digits = "0.286";
+  EXPECT_TRUE(holds(latex_table(table), "\\SeamCell{refuted}{0.287}{0.286}"));
+}
+
+TEST(Latex, the_libraries_at_work_are_named_with_their_versions) {
+  EXPECT_TRUE(holds(latex({"seamproof 0.1.0", {FileRun{}}, {"GiNaC 1.8.6"}}), "GiNaC 1.8.6"));
 }
 
 TEST(Latex, obligations_that_are_alike_are_counted) {

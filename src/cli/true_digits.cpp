@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/true_digits.h"
+
+#include <chrono>
+#include <map>
+#include <memory>
+
+#include "cli/files.h"
+
+// The digits are searched for without proof; that they are right is a statement of its own,
+// which the checker accepts or not. The file is read again for that, only where something is
+// wrong.
+
+namespace seam::cli {
+namespace {
+
+using certificate::Verdict;
+using claims::Expression;
+using claims::PrintedNumber;
+
+// What a statement `E ~ 0.25` prints; nothing of any other statement.
+std::optional<PrintedNumber> printed_in(const Expression& statement) {
+  const bool truncated = statement.kind == Expression::Kind::truncated;
+  const Expression& relation = truncated ? statement.children[0] : statement;
+  if (relation.kind != Expression::Kind::relation || relation.text != "~") return std::nullopt;
+  auto printed = claims::printed_number(relation.children[1]);
+  if (printed) printed->truncated = truncated;
+  return printed;
+}
+
+std::map<std::string, const claims::Claim*> claims_of(const claims::Meaning& meaning) {
+  std::map<std::string, const claims::Claim*> all;
+  for (const auto& item : meaning.items) {
+    if (const auto* claim = std::get_if<claims::MeantClaim>(&item))
+      all[claim->claim.id] = &claim->claim;
+    if (const auto* table = std::get_if<claims::MeantTable>(&item))
+      for (const auto& row : table->rows)
+        for (const auto& cell : row.cells) all[cell.claim.id] = &cell.claim;
+  }
+  return all;
+}
+
+// The claims of a run that may be changed.
+std::vector<report::ClaimRun*> runs_of(report::FileRun& run) {
+  std::vector<report::ClaimRun*> all;
+  for (report::ItemRun& item : run.items) {
+    if (auto* claim = std::get_if<report::ClaimRun>(&item)) all.push_back(claim);
+    if (auto* table = std::get_if<report::TableRun>(&item))
+      for (auto& row : table->rows)
+        for (report::ClaimRun& cell : row.cells) all.push_back(&cell);
+  }
+  return all;
+}
+
+}  // namespace
+
+Decided decide(const claims::NamedNumbers::Statement& statement, const VerifyOptions& options) {
+  prove::Budget budget;
+  budget.effort = options.effort;
+  budget.deadline = std::chrono::steady_clock::now() +
+                    std::chrono::milliseconds(static_cast<long>(options.timeout * 1000));
+  return decide(statement.lowered, statement.written, budget,
+                [](const symbolic::Formula& f) { return f; });
+}
+
+std::optional<PrintedNumber> certified(claims::NamedNumbers& numbers, const std::string& name,
+                                       int places, bool truncated,
+                                       const VerifyOptions& options) {
+  const auto likely = numbers.likely(name, places, truncated);
+  if (!likely) return std::nullopt;
+  try {
+    const Decided decided = decide(numbers.printed_as(name, *likely), options);
+    if (decided.outcome.verdict == Verdict::proven) return likely;
+  } catch (const claims::Unsupported&) {
+  }
+  return std::nullopt;
+}
+
+void add_true_digits(report::FileRun& run, const claims::Meaning& meaning,
+                     const std::filesystem::path& file, const VerifyOptions& options) {
+  const auto written = claims_of(meaning);
+  std::unique_ptr<claims::NamedNumbers> numbers;
+  for (report::ClaimRun* claim : runs_of(run)) {
+    if (claim->printed.verdict != Verdict::refuted) continue;
+    const claims::Claim& as_written = *written.at(claim->id);
+    const auto printed = printed_in(as_written.statement);
+    if (!printed) continue;
+    std::optional<PrintedNumber> right;
+    if (claim->corrected && claim->corrected->verdict == Verdict::proven)
+      right = printed_in(*as_written.corrected);
+    if (!right) {
+      if (!numbers)
+        numbers = std::make_unique<claims::NamedNumbers>(parsed(file), opener_beside(file));
+      right = certified(*numbers, claim->id, printed->places(), printed->truncated, options);
+    }
+    if (right) claim->true_digits = claims::text(*right);
+  }
+}
+
+}  // namespace seam::cli
