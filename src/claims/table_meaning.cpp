@@ -1,30 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "claims/greek.h"
+#include "claims/ids.h"
 #include "claims/item_reader.h"
 
 // A cell of a table is a claim: the expression of its row for the value of its column, compared
 // with what is printed.
 
 namespace seam::claims {
-namespace {
-
-// What may stand in an id; everything else becomes a hyphen.
-std::string slug(const std::string& label) {
-  std::string result;
-  for (const char c : spelled_out(label)) {
-    const bool fine = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-                      (c >= '0' && c <= '9') || c == '_' || c == '-';
-    if (fine)
-      result += c;
-    else if (!result.empty() && result.back() != '-')
-      result += '-';
-  }
-  while (!result.empty() && result.back() == '-') result.pop_back();
-  return result;
-}
-
-}  // namespace
-
 void Reader::table(const Item& item) {
   MeantTable result{item.claim, item.comments, item.labels, {}};
   result.heading.id = item.claim.id.empty() ? item.name : item.claim.id;
@@ -47,9 +28,8 @@ void Reader::table(const Item& item) {
               "expected " + std::to_string(columns.size()) + " labels, found " +
                   std::to_string(item.labels.size()),
               {}});
-    int row_number = 0;
-    for (const Item::Row& row : item.rows) {
-      ++row_number;
+    for (std::size_t r = 0; r < item.rows.size(); ++r) {
+      const Item::Row& row = item.rows[r];
       MeantTable::Row meant_row{row.label, row.value, {}};
       if (row.printed.size() != columns.size())
         fail(row.value, "this row has " + std::to_string(row.printed.size()) +
@@ -58,12 +38,9 @@ void Reader::table(const Item& item) {
         Scope scope;
         if (!variable.empty()) scope.values[variable] = columns[k];
         Claim cell;
-        const std::string row_id = slug(row.label),
-                          column_label = k < item.labels.size() ? slug(item.labels[k]) : "";
-        cell.id = result.heading.id + "." +
-                  (row_id.empty() ? std::to_string(row_number) : row_id) + "." +
-                  (column_label.empty() ? std::to_string(k + 1) : column_label);
-        cell.title = row.label + (k < item.labels.size() ? ", " + item.labels[k] : "");
+        const Named named = claims::cell(item, r, k);
+        cell.id = named.id;
+        cell.title = named.title;
         cell.at = item.claim.at;
         const auto compared = [&](const Expression& printed) -> Expression {
           Expression rounded{

@@ -2,6 +2,7 @@
 #include <iostream>
 
 #include "certificate/json.h"
+#include "claims/ids.h"
 #include "cli/commands.h"
 #include "cli/files.h"
 
@@ -10,10 +11,8 @@ namespace fs = std::filesystem;
 
 int list_claims(const std::vector<std::string>& files) {
   for (const fs::path& file : seam_files(files)) {
-    const claims::File parsed_file = parsed(file);
-    for (const auto& item : parsed_file.items)
-      if (item.kind == claims::Item::Kind::claim || item.kind == claims::Item::Kind::table)
-        std::cout << (item.claim.id.empty() ? item.name : item.claim.id) << "\n";
+    for (const auto& claim : claims::named_claims(parsed(file), opener_beside(file)))
+      std::cout << claim.id << "\n";
   }
   return ok;
 }

@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "cli/command_line.h"
+#include "cli/completion.h"
 #include "cli/files.h"
 
 using namespace seam::cli;
@@ -12,6 +13,9 @@ namespace {
 int run(int argc, char** argv) {
   Arguments arguments;
   const auto app = command_line(arguments);
+  // Asked by the shells' completion, where what is typed may be wrong in any way.
+  if (argc > 2 && std::string_view(argv[1]) == "complete")
+    return complete(vocabulary(*app), {argv + 2, argv + argc});
   try {
     app->parse(argc, argv);
   } catch (const CLI::ParseError& error) {
