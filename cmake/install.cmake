@@ -55,6 +55,18 @@ foreach(part check prover)
           DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
 endforeach()
 
+# Manual pages, and completion under the names by which the shells look for it.
+install(FILES ${PROJECT_BINARY_DIR}/src/cli/seamproof.1 src/cli/manual/seamproof-check.1
+        DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT programs)
+foreach(program seamproof seamproof-check)
+  install(FILES src/cli/completion/${program}.bash RENAME ${program}
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT programs)
+  install(FILES src/cli/completion/${program}.fish
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT programs)
+endforeach()
+install(FILES src/cli/completion/_seamproof
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions COMPONENT programs)
+
 # To read: the documents as they lie here, so that their links hold, and the papers as examples.
 install(FILES README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT programs)
 install(FILES LICENSE TYPE DOC COMPONENT programs)

@@ -143,7 +143,8 @@ std::unique_ptr<CLI::App> command_line(Arguments& to) {
       "Reads the mathematics of a paper and says of every claim: proven, refuted, conditional, "
       "undecided.",
       "seamproof");
-  app->set_version_flag("--version", tool_name());
+  app->set_help_flag("-h,--help", "how it is used");
+  app->set_version_flag("--version", tool_name(), "which version this is");
   app->require_subcommand(1);
   app->get_formatter()->column_width(34);
 

@@ -5,6 +5,7 @@
 #include "cli/command_line.h"
 #include "cli/completion.h"
 #include "cli/files.h"
+#include "cli/manual.h"
 
 using namespace seam::cli;
 
@@ -16,6 +17,10 @@ int run(int argc, char** argv) {
   // Asked by the shells' completion, where what is typed may be wrong in any way.
   if (argc > 2 && std::string_view(argv[1]) == "complete")
     return complete(vocabulary(*app), {argv + 2, argv + argc});
+  if (argc == 2 && std::string_view(argv[1]) == "manual") {
+    std::cout << manual(vocabulary(*app));
+    return ok;
+  }
   try {
     app->parse(argc, argv);
   } catch (const CLI::ParseError& error) {
