@@ -139,6 +139,17 @@ std::vector<std::string> NamedNumbers::names() const {
   return all;
 }
 
+std::vector<std::string> NamedNumbers::claim_ids() const {
+  std::vector<std::string> ids;
+  for (const MeantItem& item : meaning_.items) {
+    if (const auto* claim = std::get_if<MeantClaim>(&item)) ids.push_back(claim->claim.id);
+    if (const auto* table = std::get_if<MeantTable>(&item))
+      for (const auto& row : table->rows)
+        for (const MeantClaim& cell : row.cells) ids.push_back(cell.claim.id);
+  }
+  return ids;
+}
+
 NamedNumbers::Statement NamedNumbers::printed_as(const std::string& name,
                                                  const PrintedNumber& number) {
   const Named& named = *find(name);

@@ -44,6 +44,8 @@ class NamedNumbers {
 
   bool knows(const std::string& name) const { return find(name) != nullptr; }
   std::vector<std::string> names() const;
+  /// Of all claims and cells, whether they compare numbers or not.
+  std::vector<std::string> claim_ids() const;
 
   /// That the named number is printed so: `E ~ 0.2857`, as written and as obligations. Throws
   /// `Unsupported` where the name has no number.

@@ -123,6 +123,17 @@ void add_claim_command(CLI::App& app, Arguments& to, const char* name, const cha
   add_search(command, to.search);
 }
 
+void add_check_tex(CLI::App& app, Arguments& to) {
+  CLI::App* command = add_command(app, to, "check-tex",
+                                  "every \\spval and \\spstatus of a paper is printed right",
+                                  [&to] { return check_tex(to.paper, to.files, to.search); });
+  command->add_option("PAPER.tex", to.paper, "the paper, with what it inputs")
+      ->type_name("")
+      ->required();
+  add_files(command, to);
+  add_search(command, to.search);
+}
+
 void add_format(CLI::App& app, Arguments& to) {
   CLI::App* command = add_command(app, to, "format", "canonical layout, on standard output",
                                   [&to] { return format_files(to.files, to.in_place); });
@@ -161,6 +172,7 @@ std::unique_ptr<CLI::App> command_line(Arguments& to) {
                         "digests of what every claim says, to compare with seamproof-check",
                         [&to] { return list_obligations(to.files); }),
             to);
+  add_check_tex(*app, to);
   add_format(*app, to);
   add_new(*app, to);
   return app;

@@ -19,7 +19,7 @@ namespace seam::cli {
 /// command does with them.
 struct Arguments {
   std::vector<std::string> files;
-  std::string file, id, expression, name;
+  std::string file, id, expression, name, paper;
   VerifyOptions search;
   Outputs outputs;
   int digits = 30;

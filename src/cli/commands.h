@@ -18,6 +18,9 @@ int explain(const std::string& file, const std::string& id, const VerifyOptions&
 int trust(const std::string& file, const std::string& id, const VerifyOptions&);
 int ask(const std::string& file, const std::string& expression, int digits,
         const VerifyOptions&);
+/// Whether every `\spval` and `\spstatus` of a paper is printed right.
+int check_tex(const std::string& paper, const std::vector<std::string>& files,
+              const VerifyOptions&);
 int start_file(const std::string& name);
 
 }  // namespace seam::cli
