@@ -255,12 +255,13 @@ void Builder::name_item() {
 }
 
 void Builder::end_title(std::size_t begin) {
+  const bool is_figure = item.kind == Item::Kind::figure;
   const bool has_id = item.kind == Item::Kind::claim || item.kind == Item::Kind::table;
-  std::string& title = has_id ? item.claim.title : item.name;
+  std::string& title = has_id || is_figure ? item.claim.title : item.name;
   if (has_id) {
     if (!title.empty())
       fail("this item has two titles", span(begin, token_end), "a place stands after 'at'");
-  } else {
+  } else if (!is_figure || item.name.empty()) {
     item.name_span = span(begin, token_end);
   }
   title = word;

@@ -112,6 +112,8 @@ class Builder {
   void name_item();
   void end_title(std::size_t begin);
   void end_item();
+  /// Takes the last name as something a figure is drawn with.
+  void draw_with();
   /// Refuses a second clause of the name that was just read.
   void once(std::size_t at);
 

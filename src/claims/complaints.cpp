@@ -186,6 +186,16 @@ void Builder::once(std::size_t at) {
        "the first is at " + std::to_string(first.line) + ":" + std::to_string(first.column));
 }
 
+void Builder::draw_with() {
+  if (!contains(figure_parts(), word)) {
+    const std::string near = text::nearest(word, figure_parts());
+    fail("a figure cannot be drawn with " + quoted(word), token_at(word_begin),
+         near.empty() ? "it can with 'net', 'curvature_lines', 'contours'"
+                      : "did you mean '" + near + "'?");
+  }
+  item.names.push_back(word);
+}
+
 void Builder::unknown_item() const {
   const text::Span token = token_at(gap_end);
   const std::string_view found = bytes().substr(token.begin, token.end - token.begin);
@@ -217,6 +227,9 @@ void Builder::unexpected_rest() const {
     fail("a quantifier stands in front of its statement", token, "write 'for u in [0, 1]: S'");
   if (contains(item_words(), found)) fail("an item begins on a line of its own", token);
   if (reserved(found)) fail(quoted(found) + " cannot stand here", token);
+  if (is_word && item.kind == Item::Kind::figure && !item.expressions.empty())
+    if (const std::string near = text::nearest(found, figure_clauses()); !near.empty())
+      fail("unknown clause " + quoted(found), token, "did you mean '" + near + "'?");
   if (is_word && first_on_line(all, gap_end)) unknown_clause(token);
   if (is_word)
     if (const std::string near = text::nearest(found, inner_words()); !near.empty())

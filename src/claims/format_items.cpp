@@ -134,6 +134,15 @@ std::string table(const Item& item) {
   return text;
 }
 
+std::string figure(const Item& item) {
+  std::string text = "figure " + (item.name.empty() ? "" : item.name + " ") +
+                     quoted(item.claim.title) + clause("at", item.claim.at) + ":";
+  text = with(text + " ", item.expressions[0], Level::range);
+  if (item.expressions.size() > 1)
+    text = with(text + " coloured by ", item.expressions[1], Level::range);
+  return item.names.empty() ? text : text + " with " + joined(item.names);
+}
+
 std::string body(const Item& item) {
   switch (item.kind) {
     case Item::Kind::paper:
@@ -158,8 +167,7 @@ std::string body(const Item& item) {
     case Item::Kind::table:
       return table(item);
     case Item::Kind::figure:
-      return with("figure " + quoted(item.name) + ": ", item.expressions[0], Level::range) +
-             (item.option.empty() ? "" : " coloured by " + item.option);
+      return figure(item);
     case Item::Kind::ask:
       return with("ask " + item.name + ": ", item.expressions[0], Level::equivalence) +
              (item.option.empty() ? "" : " digits " + item.option);

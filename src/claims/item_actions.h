@@ -68,6 +68,10 @@ template <>
 struct action<expect_word> : once<expect_word> {};
 template <>
 struct action<using_word> : once<using_word> {};
+template <>
+struct action<coloured_word> : once<coloured_word> {};
+template <>
+struct action<with_word> : once<with_word> {};
 
 template <>
 struct action<title_text> {
@@ -199,7 +203,17 @@ struct action<row_cut_off> {
   static void apply0(Builder& b) { b.item.rows.back().truncated = true; }
 };
 template <>
-struct action<colour> : stores<&Item::option> {};
+struct action<shown> {
+  static void apply0(Builder& b) { b.item.expressions.push_back(b.take()); }
+};
+template <>
+struct action<colour> {
+  static void apply0(Builder& b) { b.item.expressions.push_back(b.take()); }
+};
+template <>
+struct action<drawn> {
+  static void apply0(Builder& b) { b.draw_with(); }
+};
 template <>
 struct action<digit_count> : stores<&Item::option> {};
 

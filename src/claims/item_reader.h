@@ -62,6 +62,9 @@ class Reader {
   void claim(const Item& item);
   void table(const Item& item);
   void figure(const Item& item);
+  void show(MeantFigure&, const Expression& shown);
+  MeantFigure::Functions functions(const Expression& each, Scope&);
+  MeantFigure::Colour colour(const MeantFigure&, const Expression&, const Scope&);
   MeantClaim meant(const Claim& claim, const Scope& scope, text::Span span);
   Lowered lower(const Expression& statement, const Scope& scope);
   void answer(MeantAsk&, const Formula& number, const std::string& decimal, int digits);

@@ -114,11 +114,16 @@ struct table
     : peg::if_must<table_word, claim_id, peg::star<peg::sor<title_text, at>>, peg::opt<columns>,
                    peg::opt<labelled>, header_colon, peg::plus<row>> {};
 
-struct colour : name {};
+// `S`, or a function over a domain: `f(u, v) for (u,v) in triangle`.
+struct shown_value : deeper<statement> {};
+struct shown : peg::seq<shown_value, peg::opt<peg::if_must<each_begins, each>>> {};
+struct colour : operand {};
 struct coloured_by : by_word {};
 struct coloured : peg::if_must<coloured_word, coloured_by, colour> {};
-struct figure
-    : peg::if_must<figure_word, title_text, header_colon, item_value, peg::opt<coloured>> {};
+struct drawn : name {};
+struct drawn_with : peg::if_must<with_word, peg::list_must<drawn, comma>> {};
+struct figure : peg::if_must<figure_word, peg::opt<claim_id>, title_text, peg::opt<at>,
+                             header_colon, shown, peg::star<peg::sor<coloured, drawn_with>>> {};
 
 struct digit_count : whole_number {};
 struct digits : peg::if_must<digits_word, digit_count> {};

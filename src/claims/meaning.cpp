@@ -198,18 +198,6 @@ void Reader::claim(const Item& item) {
   }
 }
 
-void Reader::figure(const Item& item) {
-  MeantFigure result{item.name, item.option, {}};
-  try {
-    result.value = evaluator_.evaluate(item.expressions[0], Scope{});
-  } catch (const Problem& problem) {
-    report(problem.diagnostic);
-  } catch (const Unsupported&) {
-  } catch (const Broken&) {
-  }
-  meaning_.items.push_back(std::move(result));
-}
-
 Meaning mean(const File& file, const Opener& open) {
   Meaning meaning;
   meaning.numbers = std::make_shared<Numbers>();

@@ -58,9 +58,26 @@ struct MeantAsk {
   std::optional<Lowered> enclosure;
 };
 
+/// What a picture shows. Nothing in it is decided.
 struct MeantFigure {
-  std::string title, coloured_by;
-  std::optional<Value> value;
+  /// Functions on a domain of one or two bounded variables. One component: a graph.
+  struct Functions {
+    std::vector<symbolic::Simplex> domain;  ///< intervals, or one triangle
+    std::vector<Vector> functions;
+  };
+  struct Colour {
+    std::string text, latex;  ///< as written: `gauss`
+    /// None: the word says all. One, or one a patch or function: in the parameters of
+    /// geometry, the variables of the domain, and `position`.
+    std::vector<Formula> formulas = {};
+    std::vector<std::string> position = {};  ///< the symbols of x, y, z
+  };
+  std::string id, title, at;
+  std::vector<Value> values;  ///< patches, surfaces, meshes, curves
+  std::optional<Functions> functions;
+  std::optional<Colour> colour;
+  std::vector<std::string> with;  ///< `net`, `curvature_lines`, `contours`
+  std::string unsupported;        ///< why there is nothing to draw; empty: there is
 };
 
 struct MeantSection {

@@ -69,12 +69,13 @@ std::size_t next_item(std::string_view bytes, std::size_t at) {
   return at;
 }
 
-// Ids of claims, tables and questions name their results; a second one is refused.
+// Ids of claims, tables, figures and questions name their results; a second one is refused.
 class Ids {
  public:
   std::optional<Diagnostic> add(const Item& item) {
     const bool has_id = item.kind == Item::Kind::claim || item.kind == Item::Kind::table ||
-                        item.kind == Item::Kind::ask;
+                        item.kind == Item::Kind::ask ||
+                        (item.kind == Item::Kind::figure && !item.name.empty());
     if (!has_id) return std::nullopt;
     const auto [known, is_new] = known_.emplace(item.name, item.name_span.begin);
     if (is_new) return std::nullopt;

@@ -101,19 +101,20 @@ struct Item {
   text::Span span;
   text::Span name_span;               ///< of the name or id
   std::vector<std::string> comments;  ///< the comment lines just above, without `# `
-  std::string name;  ///< let, sequence, define, root, ask, table: its name or id; paper,
-                     ///< section, figure: the title; include: the path
+  std::string name;  ///< let, sequence, define, root, ask, table, figure: its name or id (of a
+                     ///< figure perhaps none); paper, section: the title; include: the path
   std::vector<std::string> parameters;  ///< let f(x, y), define f(x), sequence s(k)
-  std::vector<std::string> names;       ///< param a, b, c
+  std::vector<std::string> names;       ///< param a, b, c; figure: `with` these
   std::string by, source, year;         ///< paper
   std::string type;  ///< param: ``, `integer`, `mesh`, `vector 3`, `function`,
                      ///< `vector 3 function of 2`
   std::vector<Expression>
-      expressions;  ///< let, define, figure, ask: [body]; sequence: [start, step]; root:
-                    ///< [polynomial, interval]; param: [set] or [], then condition in `where`
+      expressions;  ///< let, define, ask: [body]; figure: [shown] or [shown, colour];
+                    ///< sequence: [start, step]; root: [polynomial, interval]; param: [set] or
+                    ///< [], then condition in `where`
   std::optional<Expression> where;  ///< param
-  std::string option;               ///< figure: `gauss` (coloured by); ask: digits
-  Claim claim;                      ///< claim; also at/title of a table
+  std::string option;               ///< ask: digits
+  Claim claim;                      ///< claim; also at/title of a table and a figure
   struct Row {
     std::string label;
     Expression value;

@@ -103,6 +103,7 @@ SEAM_KEYWORD(function_word, "function");
 SEAM_KEYWORD(generic_word, "generic");
 SEAM_KEYWORD(labelled_word, "labelled");
 SEAM_KEYWORD(coloured_word, "coloured");
+SEAM_KEYWORD(with_word, "with");
 SEAM_KEYWORD(digits_word, "digits");
 
 SEAM_KEYWORD(for_word, "for");

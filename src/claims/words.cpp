@@ -45,6 +45,16 @@ const std::vector<std::string>& operator_words() {
   return words;
 }
 
+const std::vector<std::string>& figure_clauses() {
+  static const std::vector<std::string> words = {"coloured", "with", "for"};
+  return words;
+}
+
+const std::vector<std::string>& figure_parts() {
+  static const std::vector<std::string> words = {"net", "curvature_lines", "contours"};
+  return words;
+}
+
 bool reserved(std::string_view word) {
   static const std::vector<std::string> words = all_reserved();
   return std::ranges::binary_search(words, word);

@@ -12,6 +12,9 @@ namespace seam::claims {
 const std::vector<std::string>& item_words();
 const std::vector<std::string>& clause_words();
 const std::vector<std::string>& operator_words();
+/// The clauses after what a figure shows, and what it can be drawn with.
+const std::vector<std::string>& figure_clauses();
+const std::vector<std::string>& figure_parts();
 
 /// A word of the grammar, which no name may be.
 bool reserved(std::string_view word);

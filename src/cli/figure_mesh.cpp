@@ -79,7 +79,7 @@ void add_mesh(FigureRun& figure, const geometry::Mesh& mesh, const symbolic::Num
     const Vector normal = area(polygon);
     std::vector<int> points;
     for (const Vector& corner : polygon) points.push_back(facets.point(corner, normal));
-    if (!figure.coloured_by.empty())
+    if (figure.coloured_by == "corners")
       figure.values.insert(figure.values.end(), polygon.size(),
                            static_cast<double>(polygon.size()));
     for (const auto& [a, b, c] : triangulated(polygon, normal))

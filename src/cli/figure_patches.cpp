@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
 #include "cli/figure_parts.h"
 
 // On which side of a side the domain lies, and so whether two patches that share a curve have
@@ -53,23 +55,27 @@ void add_net(FigureRun& figure, const RoundedPatch& patch) {
 }  // namespace
 
 void add_patches(FigureRun& figure, const std::vector<geometry::Patch>& given,
-                 const std::vector<geometry::Seam>& seams, const SurfaceLines& lines,
+                 const std::vector<geometry::Seam>& seams, const claims::MeantFigure& meant,
                  const symbolic::Numbers& numbers) {
   std::vector<RoundedPatch> patches;
   for (const geometry::Patch& patch : given) patches.emplace_back(patch, numbers);
 
-  Colouring colouring;
-  if (figure.coloured_by == "gauss")
-    colouring = [](const Jet& jet, double, double) { return jet.gauss(); };
-  if (figure.coloured_by == "mean")
-    colouring = [](const Jet& jet, double, double) { return jet.mean(); };
-
+  const auto wants = [&](const char* part) {
+    return std::ranges::find(meant.with, part) != meant.with.end();
+  };
   Facets facets(figure);
   std::vector<Sheet> sheets;
   for (const RoundedPatch& patch : patches) {
     sheets.push_back({patch.shape(), [&](double u, double v) { return patch.jet(u, v); }});
-    facets.add(sheets.back(), cuts_of(patches.size(), patch.shape()), colouring);
-    if (lines.net) add_net(figure, patch);
+    const Colouring by = colouring(
+        meant, sheets.size() - 1, {geometry::parameter_u, geometry::parameter_v},
+        [](double u, double v) {
+          return std::vector<Expansion>{{u}, {v}};
+        },
+        numbers);
+    facets.add(sheets.back(), cuts_of(patches.size(), patch.shape()), by);
+    if (wants("net")) add_net(figure, patch);
+    if (wants("curvature_lines")) add_curvature_lines(figure, sheets.back());
   }
 
   std::vector<std::array<bool, 5>> on_seam(patches.size());

@@ -304,7 +304,7 @@ Verified verify(const std::filesystem::path& file, const VerifyOptions& options,
     } else if (const auto* ask = std::get_if<claims::MeantAsk>(&item)) {
       if (selected(ask->id, options.claims)) result.run.items.push_back(assembly.ask(*ask));
     } else if (const auto* figure = std::get_if<claims::MeantFigure>(&item)) {
-      if (figure->value) result.run.items.push_back(sampled(*figure, *meaning.numbers));
+      result.run.items.push_back(sampled(*figure, *meaning.numbers));
     }
   }
   add_true_digits(result.run, meaning, file, options);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/latex.h"
 
+#include "report/drawing.h"
 #include "report/escape.h"
 #include "report/figure.h"
 #include "report/glossary.h"
@@ -36,11 +37,9 @@ std::string latex_item(const TableRun& table) {
 }
 
 std::string latex_item(const FigureRun& figure) {
-  const std::string drawn = picture(figure);
-  if (drawn.empty()) return "";
-  return drawn + "\\begin{center}\\small " + escape(figure.title) +
-         (figure.coloured_by.empty() ? "" : ", coloured by " + escape(figure.coloured_by)) +
-         ". \\SeamQuiet{A picture; it proves nothing.}\\end{center}\n";
+  const std::string place = figure.at.empty() ? "" : " (" + escape(figure.at) + ")";
+  return picture(figure) + "\\begin{center}\\small " + escape(figure.title) + place +
+         ". \\SeamQuiet{" + escape(description(figure)) + "}\\end{center}\n";
 }
 
 std::string latex_item(const AskRun& ask) {

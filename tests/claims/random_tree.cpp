@@ -288,9 +288,14 @@ Item RandomTree::item(Item::Kind kind) {
       item.expressions = {any(4), set(2)};
       break;
     case Item::Kind::figure:
-      item.name = quoted();
-      item.expressions = {any(3)};
-      item.option = pick({"", "gauss"});
+      item.name = maybe() ? id() : "";
+      item.claim.title = quoted();
+      item.claim.at = quoted();
+      item.expressions = several(1, 2, &RandomTree::any, 3);
+      if (Expression shown = element(3); shown.kind == Kind::each)
+        item.expressions[0] = std::move(shown);
+      for (int left = below(3); left > 0; --left)
+        item.names.push_back(pick({"net", "curvature_lines", "contours"}));
       break;
     case Item::Kind::ask:
       item.name = id();
