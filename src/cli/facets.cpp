@@ -114,6 +114,10 @@ void Facets::turn(const std::vector<Neighbours>& neighbours,
     if (closes && sum < 0)
       for (const std::size_t face : sheet) turn(face);
   }
+  // Of closed surfaces the mean curvature is taken towards the inside, so that a sphere has a
+  // positive one.
+  if (figure_.closed && figure_.coloured_by == "mean")
+    for (double& value : figure_.values) value = -value;
 }
 
 int cuts_of(std::size_t sheets, RoundedPatch::Shape shape) {

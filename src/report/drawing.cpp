@@ -75,7 +75,7 @@ class Painter {
     Vector normal{};
     double value = 0;
     for (const int i : triangle) {
-      normal = normal + figure_.normals[i];
+      if (!figure_.normals.empty()) normal = normal + figure_.normals[i];
       if (!figure_.values.empty()) value += figure_.values[i] / 3;
     }
     const Vector towards = view_.turned(normal);

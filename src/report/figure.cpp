@@ -58,8 +58,8 @@ class Writer {
   }
   std::string operator()(const Drawing::Stroke& stroke) const {
     const StrokeStyle style = style_of(stroke.kind);
-    std::string result = "\\definecolor{stroke}{rgb}{" + rgb(style.colour) +
-                         "}\\draw[stroke,line width=" + length(style.width) + "bp] ";
+    std::string result = "\\definecolor{SeamStroke}{rgb}{" + rgb(style.colour) +
+                         "}\\draw[SeamStroke,line width=" + length(style.width) + "bp] ";
     for (const Drawing::Place& at : stroke.points)
       result += (&at == stroke.points.data() ? "" : "--") + place(at);
     return result + ";\n";

@@ -135,11 +135,13 @@ TEST(Latex, the_glossary_has_the_predicates_used_and_no_others) {
   EXPECT_EQ(entries[1].predicate, "closed");
 }
 
-TEST(Latex, a_picture_shows_the_facets_that_look_at_the_eye) {
+TEST(Latex, a_picture_of_a_closed_surface_shows_the_facets_that_look_at_the_eye) {
   FigureRun figure;
+  figure.closed = true;
   figure.points = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  figure.normals = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   figure.triangles = {{0, 1, 2}};
-  EXPECT_TRUE(holds(picture(figure), "\\filldraw"));
+  EXPECT_TRUE(holds(picture(figure), "\\SeamFacet "));
   figure.triangles = {{1, 0, 2}};
   EXPECT_EQ(picture(figure), "");
 }
