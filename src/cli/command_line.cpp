@@ -76,6 +76,7 @@ void add_verify(CLI::App& app, Arguments& to) {
   command->add_option("--json", to.outputs.json, "the results as JSON; - for standard output")
       ->type_name("FILE");
   command->add_flag("--pdf", to.outputs.pdf, "typeset the report (needs --out and pdflatex)");
+  command->add_flag("--html", to.outputs.html, "the report as a page, too (needs --out)");
   command->add_flag("--allow-undecided", to.outputs.allow_undecided,
                     "undecided claims are no failure");
   command->add_flag("--quiet", to.outputs.quiet, "only the exit status");
@@ -94,6 +95,7 @@ void add_report(CLI::App& app, Arguments& to) {
       ->type_name("DIR")
       ->required();
   command->add_flag("--pdf", to.outputs.pdf, "typeset it (needs pdflatex)");
+  command->add_flag("--html", to.outputs.html, "as a page, too");
   add_search(command, to.search);
 }
 

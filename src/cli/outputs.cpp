@@ -5,6 +5,7 @@
 #include "check/library.h"
 #include "cli/files.h"
 #include "report/file.h"
+#include "report/html.h"
 #include "report/json.h"
 #include "report/latex.h"
 #include "report/pdf.h"
@@ -34,6 +35,7 @@ void write_folder(const fs::path& folder, const Verified& verified, const Output
     write(folder / name, certificate::write(certificate));
   write(folder / "results.json", report::json(run));
   write(folder / "report.tex", report::latex(run));
+  if (outputs.html) write(folder / "report.html", report::html(run));
   if (!outputs.pdf) return;
   if (const auto error = report::typeset(folder / "report.tex"))
     throw Failure{io_error, error->message + "\n"};

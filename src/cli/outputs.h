@@ -14,6 +14,7 @@ struct Outputs {
   std::string out;   ///< a folder for report.tex, results.json, certificates/; empty: none
   std::string json;  ///< a file, `-` for standard output; empty: none
   bool pdf = false;
+  bool html = false;
   bool allow_undecided = false;
   bool quiet = false;
   bool verbose = false;

@@ -27,8 +27,9 @@ int run(int argc, char** argv) {
     const int status = app->exit(error);
     return status == 0 ? ok : usage;
   }
-  if (arguments.outputs.pdf && arguments.outputs.out.empty())
-    throw Failure{usage, "--pdf needs --out\n"};
+  if (arguments.outputs.out.empty() && (arguments.outputs.pdf || arguments.outputs.html))
+    throw Failure{usage,
+                  std::string(arguments.outputs.pdf ? "--pdf" : "--html") + " needs --out\n"};
   return arguments.command();
 }
 

@@ -2,12 +2,12 @@
 #include "report/latex_claim.h"
 
 #include <algorithm>
-#include <map>
 #include <regex>
 
 #include "report/escape.h"
 #include "report/latex_macro.h"
 #include "report/mathematics.h"
+#include "report/obligation_groups.h"
 
 namespace seam::report {
 namespace {
@@ -16,53 +16,7 @@ constexpr std::size_t longest_obligation = 1500;  // bytes; beyond, the certific
 constexpr std::size_t longest_witness = 5000;     // beyond, it is shown as it is
 constexpr std::size_t most_evidence = 3;  // different lines of evidence shown for a group
 
-const char* name(ObligationRun::Status status) {
-  switch (status) {
-    case ObligationRun::Status::holds:
-      return "holds";
-    case ObligationRun::Status::fails:
-      return "fails";
-    case ObligationRun::Status::open:
-      break;
-  }
-  return "open";
-}
-
-// What an obligation says that is about nothing in particular.
-std::string saying(const std::string& kind) {
-  static const std::map<std::string, std::string> words = {
-      {"zero", "an identity"},          {"sign", "a sign"},
-      {"solutions", "all solutions"},   {"gluing", "how the patches are glued"},
-      {"distinct", "no two are equal"}, {"mesh", "what is counted on the mesh"}};
-  const auto known = words.find(kind);
-  return known == words.end() ? escape(kind) : known->second;
-}
-
-// Obligations that are alike but for their formulas: one line in the report.
-struct Group {
-  const ObligationRun* first;
-  int count = 1;
-  std::vector<std::string> evidence;  // the different ones
-};
-
-bool alike(const ObligationRun& a, const ObligationRun& b) {
-  return a.about == b.about && a.kind == b.kind && a.guard == b.guard && a.status == b.status;
-}
-
-std::vector<Group> grouped(const std::vector<ObligationRun>& obligations) {
-  std::vector<Group> groups;
-  for (const ObligationRun& obligation : obligations) {
-    auto group = std::ranges::find_if(
-        groups, [&](const Group& g) { return alike(*g.first, obligation); });
-    if (group == groups.end()) group = groups.insert(group, {&obligation, 0, {}});
-    ++group->count;
-    if (std::ranges::find(group->evidence, obligation.evidence) == group->evidence.end())
-      group->evidence.push_back(obligation.evidence);
-  }
-  return groups;
-}
-
-std::string evidence_of(const Group& group) {
+std::string evidence_of(const ObligationGroup& group) {
   std::vector<std::string> shown;
   for (const std::string& line : group.evidence)
     if (shown.size() < most_evidence) shown.push_back(escape(line));
@@ -72,9 +26,9 @@ std::string evidence_of(const Group& group) {
   return joined(shown, "; ");
 }
 
-std::string latex_group(const Group& group) {
+std::string latex_group(const ObligationGroup& group) {
   const ObligationRun& first = *group.first;
-  std::string words = first.about.empty() ? saying(first.kind) : escape(first.about);
+  std::string words = escape(about(first));
   if (first.guard) words += " \\SeamQuiet{(so that the formulas mean something)}";
   if (group.count > 1)
     words += " \\SeamQuiet{--- " + std::to_string(group.count) + " of this kind}";
@@ -95,7 +49,7 @@ std::string latex_group(const Group& group) {
 std::string latex_obligations(const std::vector<ObligationRun>& obligations) {
   if (obligations.empty()) return "";
   std::string result = "\\begin{SeamObligations}\n";
-  for (const Group& group : grouped(obligations)) result += latex_group(group);
+  for (const ObligationGroup& group : grouped(obligations)) result += latex_group(group);
   return result + "\\end{SeamObligations}\n";
 }
 

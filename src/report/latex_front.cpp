@@ -1,41 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/latex_front.h"
 
-#include <algorithm>
 #include <vector>
 
 #include "report/escape.h"
 #include "report/latex_macro.h"
+#include "report/tally.h"
 
 namespace seam::report {
 namespace {
-
-// Verdicts by section: where in the paper the trouble is.
-struct Tally {
-  std::string title;
-  Summary summary;
-};
-
-std::vector<Tally> by_section(const FileRun& file) {
-  std::vector<Tally> tallies;
-  FileRun part;
-  std::string title = "before the first section";
-  const auto finish = [&] {
-    const Summary summary = summarize(part);
-    if (summary.claims > 0) tallies.push_back({title, summary});
-    part.items.clear();
-  };
-  for (const ItemRun& item : file.items) {
-    if (const auto* section = std::get_if<SectionRun>(&item)) {
-      finish();
-      title = section->title;
-    } else {
-      part.items.push_back(item);
-    }
-  }
-  finish();
-  return tallies;
-}
 
 std::string tally_row(const std::string& title, const Summary& summary) {
   const auto cell = [](int n) { return n == 0 ? std::string() : std::to_string(n); };
@@ -50,23 +23,6 @@ std::string summary_table(const FileRun& file) {
     result += tally_row(escape(tally.title), tally.summary);
   return result + "\\midrule\n" + tally_row("\\textbf{all}", summarize(file)) +
          "\\end{SeamTally}\n";
-}
-
-bool has_alarm(const FileRun& file) {
-  return std::ranges::any_of(claims(file), [](const ClaimRun* claim) {
-    return !claim->printed.alarm.empty() ||
-           (claim->corrected && !claim->corrected->alarm.empty());
-  });
-}
-
-std::string sentence(const Summary& summary) {
-  return "Of " + std::to_string(summary.claims) +
-         (summary.claims == 1 ? " claim, " : " claims, ") + std::to_string(summary.proven) +
-         " proven, " + std::to_string(summary.refuted) + " refuted, " +
-         std::to_string(summary.conditional) + " conditional and " +
-         std::to_string(summary.undecided) + " undecided; " +
-         std::to_string(summary.as_expected) + (summary.as_expected == 1 ? " is" : " are") +
-         " as the author of the file expects. ";
 }
 
 std::string fact(const std::string& name, const std::string& value) {
@@ -94,7 +50,7 @@ std::string latex_front(const FileRun& file, const Run& run) {
   const std::string whose =
       joined({escape(file.by), escape(file.source), escape(file.year)}, ", ");
   if (!whose.empty()) result += "{\\large\\raggedright " + whose + "\\par}\n";
-  result += "\\vspace{8pt}\n" + sentence(summarize(file));
+  result += "\\vspace{8pt}\n" + sentence(summarize(file)) + " ";
   if (has_alarm(file))
     result += "\\SeamAlarm{Evidence of this run was rejected; see the claims so marked.}\n";
   else
