@@ -67,6 +67,10 @@ endforeach()
 install(FILES src/cli/completion/_seamproof
         DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions COMPONENT programs)
 
+# The style of reports, for papers: TeX looks for it here.
+install(FILES src/report/seamproof.sty
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/texmf/tex/latex/seamproof COMPONENT programs)
+
 # To read: the documents as they lie here, so that their links hold, and the papers as examples.
 install(FILES README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT programs)
 install(FILES LICENSE TYPE DOC COMPONENT programs)
