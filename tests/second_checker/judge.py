@@ -10,7 +10,7 @@ from collections import Counter
 from obligations import decide
 from polynomial import Effort, NotJudged
 from program import Program
-from reading import Malformed, certificate, listed, need, only_member, whole
+from reading import Malformed, certificate, digest, listed, need, only_member, whole
 from tower import Open, Refused
 
 EFFORT = 20_000_000
@@ -91,8 +91,9 @@ def main(paths):
                 print(f"{path}: invalid: {error}")
                 worst = 1
                 continue
+        statement = digest(judgement.certificate["statement"])
         counts = ", ".join(f"{n} {value}" for value, n in sorted(Counter(judgement.values).items()))
-        print(f"{path}: {judgement.verdict} ({counts})", *(f"\n  {n} × {why}" for why, n in judgement.why.items()))
+        print(f"{path}: {judgement.verdict} {statement} ({counts})", *(f"\n  {n} × {why}" for why, n in judgement.why.items()))
         worst = max(worst, judgement.agrees() is False)
     return worst
 

@@ -69,7 +69,7 @@ class Mesh:
         parts = Parts(range(self.vertices))
         for a, b in self.edges:
             parts.join(a, b)
-        return parts.count() == 1
+        return parts.count() <= 1
 
     def has_two_sides_an_edge(self):
         return all(len(sides) == 2 for sides in self.edges.values())

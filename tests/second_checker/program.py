@@ -110,12 +110,14 @@ class Program:
         if cosine is not None:
             self.tower.rules.append((symbol, 2, Polynomial.constant(1) - Polynomial.symbol(cosine, 2)))
 
-    @staticmethod
-    def cosine_before(known, function, argument):
+    def cosine_before(self, known, function, argument):
+        """Of generators or functions, the first cos before a sin of this argument."""
         if function == "sin":
             for other, entry in known.items():
                 if entry and entry[0] == "cos" and entry[1] == argument:
                     return other
+                if entry and entry[:2] == ("sin", argument):
+                    return None
         return None
 
     @staticmethod
@@ -162,11 +164,14 @@ class Program:
         return {self.symbol(self.nodes[n][1]) for n in self.closure(terms) if self.nodes[n][0] == "symbol"}
 
     def functions_of(self, terms):
-        """The functions that stand in these terms, in the radicands of these and so on, by the order of the statement."""
-        found, todo = set(), self.written(terms)
+        """The functions that stand in these terms, in the radicands of these and so on, and the cos of a sin; by the
+        order of the statement."""
+        found, todo = set(), {s for s in self.written(terms) if s in self.functions}
         while todo:
-            found |= {s for s in todo if s in self.functions}
-            todo = self.written([self.functions[s][2] for s in todo if s in self.functions]) - found
+            found |= todo
+            todo = {s for s in self.written([self.functions[f][2] for f in todo]) if s in self.functions}
+            todo |= {self.cosine_before(self.functions, *self.functions[f][:2]) for f in found} - {None}
+            todo -= found
         return [s for s in self.functions if s in found]
 
     def variables(self, polynomial):

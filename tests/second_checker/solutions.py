@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The real solutions of a system in one unknown: the roots of the common divisor of its coefficients."""
-from fractions import Fraction
-
 from domain import Simplex
-from polynomial import Polynomial
-from program import relation_holds
-from reading import listed, members, need, only_member, rational, text, whole
+from polynomial import Polynomial, power_of
+from reading import listed, members, need, rational, text, whole
 from reductions import Region, shows_safely
 from tower import Open, Refused
+
+
+LEAST, NIL, GREATEST = ([Polynomial.constant(x) for x in corner] for corner in ((0, -1), (1, 0), (0, 1)))
+HALVES = [NIL, GREATEST], [LEAST, NIL]
 
 
 def coefficients(program, system, for_all, below):
@@ -16,8 +17,7 @@ def coefficients(program, system, for_all, below):
     found = []
     for index in listed(system):
         parts = program.term(whole(index, 0, below)).by_monomial(variables)
-        found += [parts[m] for m in sorted(parts, key=lambda m: [Polynomial({m: 1}).by_power(v).popitem()[0] for v in variables])
-                  if program.tower.reduce(parts[m])]
+        found += [parts[m] for m in sorted(parts, key=lambda m: [power_of(m, v) for v in variables])]
     return found
 
 
@@ -27,8 +27,10 @@ class Obligation:
             content, "system", "unknown", "for_all", "domain", "solutions")
         below = program.of_statement
         self.program, self.unknown = program, program.symbol(text(unknown))
-        self.simplex = Simplex.read(program, domain, below)
-        need(self.simplex.variables == [self.unknown], "a domain in another variable")
+        self.line = [Simplex(program, [self.unknown], corners, [False, False]) for corners in HALVES]
+        if domain != {"variables": [unknown], "corners": [], "open": []}:  # else all real numbers
+            self.line = [Simplex.read(program, domain, below)]
+        need(self.line[0].variables == [self.unknown], "a domain in another variable")
         self.terms = [whole(t, 0, below) for t in listed(system)]
         self.coefficients = coefficients(program, system, for_all, below)
         if program.functions_of(self.terms):
@@ -46,15 +48,14 @@ class Obligation:
             raise Refused("intervals that are out of order")
 
     def in_domain(self, number):
-        return self.simplex.holds({self.unknown: number})
+        return any(part.holds({self.unknown: number}) for part in self.line)
 
     def is_zero_at(self, polynomial, number):
         return self.program.sign(self.program.tower.reduce(polynomial.replace({self.unknown: number}))) == 0
 
     def in_unknown(self, index):
         term = self.program.term(whole(index, 0, len(self.program.nodes)))
-        if not self.program.is_number(Polynomial(term.terms and {
-                m: c for part in [term.by_power(self.unknown)] for p in part.values() for m, c in p.terms.items()})):
+        if not term.support() <= {self.unknown} | set(self.program.generators):
             raise Refused("a term with another variable than the unknown")
         return term
 
@@ -77,9 +78,9 @@ class Obligation:
         if self.intervals:
             return self.isolated(divisor, listed(inside), listed(outside))
         product = self.in_unknown(rest)
-        outside, = listed(outside, 1)
-        if not self.shown(self.simplex, product, outside):
-            return False
+        for part, proof in zip(self.line, listed(outside, len(self.line))):
+            if not self.shown(part, product, proof):
+                return False
         for solution, multiplicity in zip(self.exact, listed(multiplicities, len(self.exact))):
             factor = Polynomial.symbol(self.unknown) - solution
             product = reduce(product * factor ** whole(multiplicity, 1))
@@ -109,10 +110,11 @@ class Obligation:
         one = Polynomial.constant(1)
         lows = [[one, Polynomial.constant(low)] for low, _ in self.intervals]
         highs = [[one, Polynomial.constant(high)] for _, high in self.intervals]
-        first, last = self.simplex.corners
-        open_first, open_last = self.simplex.open[1], self.simplex.open[0]  # a facet lies opposite to its corner
-        if self.simplex.orientation < 0:
-            first, last, open_first, open_last = last, first, open_last, open_first
+        first, last, open_first, open_last = LEAST, GREATEST, False, False
+        if len(self.line) == 1:
+            (first, last), (open_last, open_first) = self.line[0].corners, self.line[0].open  # a facet is opposite to its corner
+            if self.line[0].orientation < 0:
+                first, last, open_first, open_last = last, first, open_last, open_first
         starts, ends = [first] + highs, lows + [last]
         for i, (a, b) in enumerate(zip(starts, ends)):
             if self.program.sign(a[0] * b[1] - a[1] * b[0]) == 0:
