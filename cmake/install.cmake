@@ -71,6 +71,9 @@ install(FILES src/cli/completion/_seamproof
 install(FILES src/report/seamproof.sty
         DESTINATION ${CMAKE_INSTALL_DATADIR}/texmf/tex/latex/seamproof COMPONENT programs)
 
+# The extension for VS Code.
+install(DIRECTORY src/claims/vscode DESTINATION ${CMAKE_INSTALL_DATADIR}/seamproof COMPONENT programs)
+
 # To read: the documents as they lie here, so that their links hold, and the papers as examples.
 install(FILES README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT programs)
 install(FILES LICENSE TYPE DOC COMPONENT programs)
