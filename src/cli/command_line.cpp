@@ -77,6 +77,8 @@ void add_verify(CLI::App& app, Arguments& to) {
       ->type_name("FILE");
   command->add_flag("--pdf", to.outputs.pdf, "typeset the report (needs --out and pdflatex)");
   command->add_flag("--html", to.outputs.html, "the report as a page, too (needs --out)");
+  command->add_flag("--fragments", to.outputs.fragments,
+                    "parts of the report for a paper to input, with their style (needs --out)");
   command->add_flag("--allow-undecided", to.outputs.allow_undecided,
                     "undecided claims are no failure");
   command->add_flag("--quiet", to.outputs.quiet, "only the exit status");
@@ -96,6 +98,8 @@ void add_report(CLI::App& app, Arguments& to) {
       ->required();
   command->add_flag("--pdf", to.outputs.pdf, "typeset it (needs pdflatex)");
   command->add_flag("--html", to.outputs.html, "as a page, too");
+  command->add_flag("--fragments", to.outputs.fragments,
+                    "parts of it for a paper to input, with their style");
   add_search(command, to.search);
 }
 

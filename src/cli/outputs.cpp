@@ -5,6 +5,7 @@
 #include "check/library.h"
 #include "cli/files.h"
 #include "report/file.h"
+#include "report/fragments.h"
 #include "report/html.h"
 #include "report/json.h"
 #include "report/latex.h"
@@ -36,6 +37,9 @@ void write_folder(const fs::path& folder, const Verified& verified, const Output
   write(folder / "results.json", report::json(run));
   write(folder / "report.tex", report::latex(run));
   if (outputs.html) write(folder / "report.html", report::html(run));
+  if (outputs.fragments)
+    for (const auto& [name, bytes] : report::fragments(verified.run))
+      write(folder / "fragments" / name, bytes);
   if (!outputs.pdf) return;
   if (const auto error = report::typeset(folder / "report.tex"))
     throw Failure{io_error, error->message + "\n"};

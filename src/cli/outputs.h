@@ -15,6 +15,7 @@ struct Outputs {
   std::string json;  ///< a file, `-` for standard output; empty: none
   bool pdf = false;
   bool html = false;
+  bool fragments = false;
   bool allow_undecided = false;
   bool quiet = false;
   bool verbose = false;

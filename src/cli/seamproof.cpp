@@ -27,9 +27,12 @@ int run(int argc, char** argv) {
     const int status = app->exit(error);
     return status == 0 ? ok : usage;
   }
-  if (arguments.outputs.out.empty() && (arguments.outputs.pdf || arguments.outputs.html))
-    throw Failure{usage,
-                  std::string(arguments.outputs.pdf ? "--pdf" : "--html") + " needs --out\n"};
+  const Outputs& outputs = arguments.outputs;
+  for (const auto& [option, is_wanted] : {std::pair("--pdf", outputs.pdf),
+                                          {"--html", outputs.html},
+                                          {"--fragments", outputs.fragments}})
+    if (is_wanted && outputs.out.empty())
+      throw Failure{usage, std::string(option) + " needs --out\n"};
   return arguments.command();
 }
 
