@@ -121,7 +121,7 @@ void Facets::turn(const std::vector<Neighbours>& neighbours,
 }
 
 int cuts_of(std::size_t sheets, RoundedPatch::Shape shape) {
-  constexpr double facets = 3200;
+  constexpr double facets = 4400;
   const double each = facets / static_cast<double>(std::max<std::size_t>(1, sheets)) /
                       (shape == RoundedPatch::Shape::triangle ? 1 : 2);
   return std::clamp(static_cast<int>(std::sqrt(each)), 3, 32);
@@ -140,6 +140,11 @@ Line side_line(const Sheet& sheet, int side, int cuts, Line::Kind kind) {
     line.points.push_back(sheet.jet(u, v).point);
   }
   return line;
+}
+
+void note(FigureRun& figure, const std::string& sentence) {
+  if (figure.note.find(sentence) != std::string::npos) return;
+  figure.note += (figure.note.empty() ? "" : " ") + sentence;
 }
 
 void leave_out_undefined(FigureRun& figure) {

@@ -63,6 +63,9 @@ int cuts_of(std::size_t sheets, RoundedPatch::Shape);
 report::FigureRun::Line side_line(const Sheet&, int side, int cuts,
                                   report::FigureRun::Line::Kind);
 
+/// Adds a sentence to the note of a figure, unless it is there.
+void note(report::FigureRun&, const std::string& sentence);
+
 /// Leaves out facets and pieces of lines where something has no value that can be drawn.
 void leave_out_undefined(report::FigureRun&);
 

@@ -67,20 +67,16 @@ class Sampling {
       if (!figure_.coloured_by.empty() && !figure_.points.empty())
         say("Not all that is shown has such a colour, so none has.");
       figure_.values.clear();
-      figure_.coloured_by.clear();
-      figure_.coloured_by_latex.clear();
     }
     const std::size_t facets = figure_.triangles.size();
     leave_out_undefined(figure_);
-    if (figure_.triangles.size() < facets) say("Left out is where there is no value.");
+    if (figure_.triangles.size() < facets) say("Where there is no value, it is left out.");
+    if (figure_.values.empty()) figure_.coloured_by = figure_.coloured_by_latex = "";
     const bool graph = meant_.functions && meant_.functions->functions[0].size() == 1;
     if (graph || std::ranges::count(meant_.with, "contours") > 0) add_contours(figure_);
   }
 
-  void say(const std::string& sentence) {
-    if (figure_.note.find(sentence) != std::string::npos) return;
-    figure_.note += (figure_.note.empty() ? "" : " ") + sentence;
-  }
+  void say(const std::string& sentence) { note(figure_, sentence); }
 
   const claims::MeantFigure& meant_;
   const symbolic::Numbers& numbers_;

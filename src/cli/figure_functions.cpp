@@ -99,10 +99,23 @@ struct Heights {
   }
   void tell(FigureRun& figure) const {
     if (factor != 1)
-      figure.note += "Heights are multiplied by " + report::short_number(factor) + ". ";
-    if (scale.above || scale.below) figure.note += "Values far off are cut off. ";
+      note(figure, "Heights are multiplied by " + report::short_number(factor) + ".");
+    if (scale.above || scale.below) note(figure, "Values far off are cut off.");
   }
 };
+
+// Round the graphs of functions of one variable.
+void add_frame(FigureRun& figure, const RoundedDomain& domain, const Heights& heights) {
+  const double left = domain.low[0], right = left + domain.size[0];
+  const double top = heights.factor * (heights.high - heights.low);
+  figure.lines.push_back(
+      {Line::Kind::edge,
+       {{left, 0, 0}, {right, 0, 0}, {right, 0, top}, {left, 0, top}, {left, 0, 0}}});
+  using report::short_number;
+  note(figure, "In the frame " + domain.variables[0] + " runs from " + short_number(left) +
+                   " to " + short_number(right) + ", and the values from " +
+                   short_number(heights.low) + " to " + short_number(heights.high) + ".");
+}
 
 void add_sheet(FigureRun& figure, Facets& facets, const Sheet& sheet, int cuts,
                const Colouring& colouring) {
@@ -132,6 +145,8 @@ void add_functions(FigureRun& figure, const claims::MeantFigure& meant,
                 .value);
   const Heights heights(values, domain.extent());
   if (!values.empty()) heights.tell(figure);
+
+  if (one_variable && !values.empty()) add_frame(figure, domain, heights);
 
   Facets facets(figure);
   for (const auto& function : functions) {

@@ -4,12 +4,15 @@
 #include "certificate/json.h"
 #include "check/library.h"
 #include "cli/files.h"
+#include "report/figure.h"
 #include "report/file.h"
 #include "report/fragments.h"
+#include "report/gltf.h"
 #include "report/html.h"
 #include "report/json.h"
 #include "report/latex.h"
 #include "report/pdf.h"
+#include "report/svg.h"
 #include "symbolic/libraries.h"
 
 namespace seam::cli {
@@ -30,6 +33,22 @@ void write(const fs::path& path, const std::string& bytes) {
     throw Failure{io_error, error->message + "\n"};
 }
 
+namespace {
+
+void check(const std::optional<report::FileError>& error) {
+  if (error) throw Failure{io_error, error->message + "\n"};
+}
+
+void write_figures(const fs::path& folder, const report::FileRun& run, bool pdf) {
+  for (const auto& [name, figure] : report::figures(run)) {
+    write(folder / (name + ".svg"), report::svg(*figure));
+    write(folder / (name + ".glb"), report::glb(*figure));
+    if (pdf) check(report::typeset(report::page(*figure), folder / (name + ".pdf")));
+  }
+}
+
+}  // namespace
+
 void write_folder(const fs::path& folder, const Verified& verified, const Outputs& outputs) {
   const report::Run run{tool_name(), {verified.run}, libraries()};
   for (const auto& [name, certificate] : verified.certificates)
@@ -40,9 +59,8 @@ void write_folder(const fs::path& folder, const Verified& verified, const Output
   if (outputs.fragments)
     for (const auto& [name, bytes] : report::fragments(verified.run))
       write(folder / "fragments" / name, bytes);
-  if (!outputs.pdf) return;
-  if (const auto error = report::typeset(folder / "report.tex"))
-    throw Failure{io_error, error->message + "\n"};
+  write_figures(folder / "figures", verified.run, outputs.pdf);
+  if (outputs.pdf) check(report::typeset(folder / "report.tex"));
 }
 
 }  // namespace seam::cli

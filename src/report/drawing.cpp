@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "report/facing.h"
 #include "report/view.h"
 
 // The painter's algorithm: facets that are seen, from the farthest to the nearest. The order is
@@ -31,7 +32,9 @@ class Painter {
     if (figure_.triangles.empty() && figure_.lines.empty()) return {};
     const double factor = larger_side / 2;
     bottom_ = figure_.values.empty() ? margin : 44;
-    result_.width = std::max(2 * factor * view_.half_width(), 150.0) + 2 * margin;
+    result_.width =
+        std::max(2 * factor * view_.half_width(), figure_.values.empty() ? 0 : 222.0) +
+        2 * margin;
     result_.height = 2 * factor * view_.half_height() + bottom_ + margin;
     middle_ = {result_.width / 2, bottom_ + factor * view_.half_height()};
     facets();
@@ -48,25 +51,29 @@ class Painter {
 
   void facets() {
     struct Facet {
-      std::size_t number;
+      std::size_t triangle;  ///< of the figure
+      std::size_t seen;
       long depth;
     };
     std::vector<DepthGrid::Triangle> seen;
     std::vector<Facet> order;
-    for (const auto& [a, b, c] : figure_.triangles) {
-      seen.push_back(
-          {view_(figure_.points[a]), view_(figure_.points[b]), view_(figure_.points[c])});
-      const double depth = seen.back()[0][2] + seen.back()[1][2] + seen.back()[2][2];
-      order.push_back({order.size(), std::lround(1e4 * depth)});
+    for (std::size_t i = 0; i < figure_.triangles.size(); ++i) {
+      const auto& [a, b, c] = figure_.triangles[i];
+      const DepthGrid::Triangle at = {view_(figure_.points[a]), view_(figure_.points[b]),
+                                      view_(figure_.points[c])};
+      const bool looks_here = cross(at[1] - at[0], at[2] - at[0])[2] > 0;
+      if (figure_.closed) edges_.add(at, looks_here);
+      if (figure_.closed && !looks_here) continue;
+      order.push_back({i, seen.size(), std::lround(1e4 * (at[0][2] + at[1][2] + at[2][2]))});
+      seen.push_back(at);
     }
     grid_.emplace_back(seen);
     std::ranges::stable_sort(order, {}, &Facet::depth);
-    for (const auto& [number, depth] : order) {
-      const auto& [a, b, c] = seen[number];
-      const bool looks_here = cross(b - a, c - a)[2] > 0;
-      if ((figure_.closed && !looks_here) || !grid_[0].shows(number)) continue;
-      result_.parts.emplace_back(
-          Drawing::Polygon{{place(a), place(b), place(c)}, fill(figure_.triangles[number])});
+    for (const Facet& facet : order) {
+      if (!grid_[0].shows(facet.seen)) continue;
+      const auto& [a, b, c] = seen[facet.seen];
+      result_.parts.emplace_back(Drawing::Polygon{{place(a), place(b), place(c)},
+                                                  fill(figure_.triangles[facet.triangle])});
     }
   }
 
@@ -96,9 +103,11 @@ class Painter {
         if (line.kind == kind) add(line);
   }
 
-  // What is seen of a line, as strokes. A net floats in front of its patch: it is shown whole.
+  // What is seen of a line, as strokes. The net of a patch is shown
+  // whole.
   void add(const FigureRun::Line& line) {
-    Stroke stroke{static_cast<Stroke::Kind>(line.kind), {}};
+    Stroke stroke{stroke_kind(line.kind), {}};
+    const bool can_hide = figure_.closed || line.kind != FigureRun::Line::Kind::net;
     const auto end = [&] {
       if (stroke.points.size() > 1) result_.parts.emplace_back(stroke);
       stroke.points.clear();
@@ -106,11 +115,13 @@ class Painter {
     for (std::size_t i = 0; i + 1 < line.points.size(); ++i) {
       const Vector a = view_(line.points[i]), b = view_(line.points[i + 1]);
       constexpr double finest = 1.0 / 60;
+      const bool turned_away = edges_.turn_away(a, b),
+                 on_border = !figure_.closed || edges_.face_here(a, b);
       const int parts = std::max(
           1, static_cast<int>(std::ceil(std::hypot(b[0] - a[0], b[1] - a[1]) / finest)));
       for (int k = 0; k < parts; ++k) {
         const auto at = [&](double t) { return (1 - t) * a + t * b; };
-        if (line.kind != FigureRun::Line::Kind::net && grid_[0].hides(at((k + 0.5) / parts))) {
+        if (turned_away || (can_hide && grid_[0].hides(at((k + 0.5) / parts), on_border))) {
           end();
           continue;
         }
@@ -168,6 +179,7 @@ class Painter {
   View view_;
   Scale scale_;
   std::vector<DepthGrid> grid_;
+  FacingEdges edges_;
   Drawing result_;
   Place middle_{};
   double bottom_ = margin;
@@ -177,26 +189,6 @@ class Painter {
 
 Drawing drawing(const FigureRun& figure) {
   return Painter(figure).drawn();
-}
-
-StrokeStyle style_of(Stroke::Kind kind) {
-  switch (kind) {
-    case Stroke::Kind::seam:
-      return {{0.08, 0.08, 0.1}, 0.6};
-    case Stroke::Kind::edge:
-      return {{0.08, 0.08, 0.1}, 0.7};
-    case Stroke::Kind::net:
-      return {{0.55, 0.1, 0.1}, 0.5};
-    case Stroke::Kind::curvature:
-      return {{1, 1, 1}, 0.35};
-    case Stroke::Kind::curve:
-      return {{0.75, 0.1, 0.05}, 1.2};
-    case Stroke::Kind::contour:
-      return {{0.1, 0.1, 0.1}, 0.25};
-    case Stroke::Kind::frame:
-      return {{0.2, 0.2, 0.2}, 0.4};
-  }
-  return {};
 }
 
 std::string legend_title(const FigureRun& figure) {

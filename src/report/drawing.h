@@ -49,6 +49,9 @@ struct StrokeStyle {
   double width = 0;  ///< points
 };
 StrokeStyle style_of(Drawing::Stroke::Kind);
+/// As a part of a drawing: `net`.
+Drawing::Stroke::Kind stroke_kind(FigureRun::Line::Kind);
+const char* word(FigureRun::Line::Kind);
 
 /// `Gauss curvature K`, `mean curvature H`, or the expression; empty: not coloured.
 std::string legend_title(const FigureRun&);

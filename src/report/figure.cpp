@@ -8,6 +8,7 @@
 #include "report/drawing.h"
 #include "report/escape.h"
 #include "report/mathematics.h"
+#include "report/style.h"
 
 // Thousands of facets by way of TikZ take TeX seconds. So each is a call of one macro with nine
 // numbers, which go to the page as they are (the system layer of PGF).
@@ -81,15 +82,12 @@ class Writer {
   }
 };
 
-}  // namespace
-
-std::string picture(const FigureRun& figure) {
-  const Drawing drawn = drawing(figure);
-  if (drawn.parts.empty()) return "";
-  std::string result = "\\begin{center}" + std::string(facet_macro) +
-                       "\\begin{tikzpicture}[x=1bp,y=1bp,line join=round,line cap=round,"
-                       "line width=0.2bp]\n\\useasboundingbox (0,0) rectangle " +
-                       place({drawn.width, drawn.height}) + ";\n";
+std::string tikz(const Drawing& drawn) {
+  std::string result = facet_macro +
+                       ("\\begin{tikzpicture}[x=1bp,y=1bp,line join=round,line cap=round,"
+                        "line width=0.4bp]\n\\useasboundingbox (0,0) rectangle " +
+                        place({drawn.width, drawn.height})) +
+                       ";\n";
   const Writer writer;
   bool in_facets = false;  // whose colours are kept in a group
   for (const Drawing::Part& part : drawn.parts) {
@@ -98,7 +96,26 @@ std::string picture(const FigureRun& figure) {
     in_facets = facet;
     result += std::visit(writer, part);
   }
-  return result + (in_facets ? "\\end{scope}\n" : "") + "\\end{tikzpicture}\\end{center}\n";
+  return result + (in_facets ? "\\end{scope}\n" : "") + "\\end{tikzpicture}";
+}
+
+}  // namespace
+
+std::string picture(const FigureRun& figure) {
+  const Drawing drawn = drawing(figure);
+  if (drawn.parts.empty()) return "";
+  return "\\begin{center}" + tikz(drawn) + "\\end{center}\n";
+}
+
+std::string page(const FigureRun& figure) {
+  const Drawing drawn = drawing(figure);
+  return "\\documentclass{article}\n\\pdfinfoomitdate=1 \\pdfsuppressptexinfo=-1 "
+         "\\pdftrailerid{}\n\\usepackage[T1]{fontenc}\n\\usepackage[utf8]{inputenc}\n"
+         "\\usepackage{lmodern,amsmath,amssymb,tikz}\n" +
+         std::string(style) + "\\begin{document}\n\\pdfpagewidth=" + length(drawn.width) +
+         "bp \\pdfpageheight=" + length(drawn.height) +
+         "bp \\pdfhorigin=0pt \\pdfvorigin=0pt\n\\shipout\\hbox{" + tikz(drawn) +
+         "}\n\\end{document}\n";
 }
 
 }  // namespace seam::report

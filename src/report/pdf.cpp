@@ -90,15 +90,18 @@ std::string complaint(const fs::path& log) {
 
 }  // namespace
 
-std::optional<FileError> typeset(const std::filesystem::path& tex) {
+std::optional<FileError> typeset(const fs::path& tex) {
+  fs::path pdf = tex;
+  return typeset(bytes_of(tex), pdf.replace_extension(".pdf"));
+}
+
+std::optional<FileError> typeset(const std::string& document, const fs::path& pdf) {
   const auto failure = [&](const std::string& why) {
-    return FileError{"cannot typeset " + tex.string() + ": " + why};
+    return FileError{"cannot typeset " + pdf.string() + ": " + why};
   };
   const Workplace workplace;
   if (workplace.path().empty()) return failure("no temporary folder can be made");
-  std::error_code error;
-  fs::copy_file(tex, workplace.path() / "report.tex", error);
-  if (error) return failure(error.message());
+  if (auto error = write_file(workplace.path() / "report.tex", document)) return error;
 
   const fs::path notes = workplace.path() / "report.aux";
   for (int run = 0; run < most_runs; ++run) {
@@ -111,8 +114,7 @@ std::optional<FileError> typeset(const std::filesystem::path& tex) {
     if (status != 0) return failure("pdflatex:" + complaint(workplace.path() / "report.log"));
     if (run > 0 && bytes_of(notes) == before) break;
   }
-  fs::path pdf = tex;
-  return write_file(pdf.replace_extension(".pdf"), bytes_of(workplace.path() / "report.pdf"));
+  return write_file(pdf, bytes_of(workplace.path() / "report.pdf"));
 }
 
 }  // namespace seam::report

@@ -13,4 +13,8 @@ namespace seam::report {
 /// On an error, what pdflatex says of it; an earlier PDF then stays as it was.
 [[nodiscard]] std::optional<FileError> typeset(const std::filesystem::path& tex);
 
+/// The same of a document that is in no file.
+[[nodiscard]] std::optional<FileError> typeset(const std::string& document,
+                                               const std::filesystem::path& pdf);
+
 }  // namespace seam::report

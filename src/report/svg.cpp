@@ -1,43 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/svg.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 
 #include "report/drawing.h"
-#include "text/utf8.h"
+#include "report/html_escape.h"
 
 // A facet has a border of its own colour, so that no gaps show between facets: `color` says it
 // once for both.
 
 namespace seam::report {
 namespace {
-
-// Any bytes as text of XML.
-std::string escaped(std::string_view bytes) {
-  std::string result;
-  for (std::size_t at = 0; at < bytes.size();) {
-    const text::CodePoint point = text::decode(bytes, at);
-    const std::size_t length = std::max<std::size_t>(1, point.length);
-    const char c = bytes[at];
-    if (point.length == 0 || (point.value < 0x20 && c != '\n' && c != '\t') ||
-        point.value == 0xFFFE || point.value == 0xFFFF)
-      result += "�";
-    else if (c == '&')
-      result += "&amp;";
-    else if (c == '<')
-      result += "&lt;";
-    else if (c == '>')
-      result += "&gt;";
-    else if (c == '"')
-      result += "&quot;";
-    else
-      result += bytes.substr(at, length);
-    at += length;
-  }
-  return result;
-}
 
 std::string number(double x) {
   std::array<char, 32> buffer{};
@@ -78,7 +54,8 @@ class Writer {
                          : text.anchor == Anchor::right ? "end"
                                                         : "middle";
     return "<text text-anchor=\"" + std::string(anchor) + "\" x=\"" + number(text.at[0]) +
-           "\" y=\"" + number(height_ - text.at[1]) + "\">" + escaped(text.text) + "</text>\n";
+           "\" y=\"" + number(height_ - text.at[1]) + "\">" + html_escape(text.text) +
+           "</text>\n";
   }
 
  private:
@@ -100,10 +77,10 @@ std::string svg(const FigureRun& figure) {
   std::string result =
       "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" width=\"" + width +
       "pt\" height=\"" + height + "pt\" viewBox=\"0 0 " + width + " " + height +
-      "\">\n<title>" + escaped(figure.title) + "</title>\n<desc>" +
-      escaped(description(figure)) +
+      "\">\n<title>" + html_escape(figure.title) + "</title>\n<desc>" +
+      html_escape(description(figure)) +
       "</desc>\n<style>text{font:8px sans-serif;fill:#222;stroke:none}</style>\n"
-      "<g fill=\"currentColor\" stroke=\"currentColor\" stroke-width=\"0.4\" "
+      "<g fill=\"currentColor\" stroke=\"currentColor\" stroke-width=\"0.7\" "
       "stroke-linejoin=\"round\" stroke-linecap=\"round\">\n";
   const Writer writer(drawn.height);
   for (const Drawing::Part& part : drawn.parts) result += std::visit(writer, part);

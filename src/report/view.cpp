@@ -44,8 +44,8 @@ View::View(const FigureRun& figure) {
   const double most = std::max({extent[0], extent[1], extent[2]});
   const auto is_flat = [&](std::size_t i) { return extent[i] <= 1e-9 * most; };
   right_ = {-0.6, 0.8, 0};
-  up_ = {-0.288, -0.216, 0.9330};
-  eye_ = {0.7464, 0.5598, 0.36};
+  up_ = {-0.4, -0.3, std::sqrt(0.75)};
+  eye_ = {0.8 * std::sqrt(0.75), 0.6 * std::sqrt(0.75), 0.5};
   if (is_flat(2)) {
     right_ = {1, 0, 0};
     up_ = {0, 1, 0};
@@ -108,11 +108,14 @@ DepthGrid::DepthGrid(const std::vector<Triangle>& triangles)
     if (t >= 0) seen_[t] = true;
 }
 
-bool DepthGrid::hides(const Vector& point) const {
+bool DepthGrid::hides(const Vector& point, bool all_round) const {
   constexpr double thickness = 0.02;
   const int x = cell_of(point[0], cells), y = cell_of(point[1], cells);
-  if (x < 0 || y < 0 || x >= cells || y >= cells) return false;
-  return depth_[y * cells + x] > point[2] + thickness;
+  const int around = all_round ? 1 : 0;
+  for (int j = std::max(0, y - around); j <= std::min(cells - 1, y + around); ++j)
+    for (int i = std::max(0, x - around); i <= std::min(cells - 1, x + around); ++i)
+      if (depth_[j * cells + i] <= point[2] + thickness) return false;
+  return x >= 0 && y >= 0 && x < cells && y < cells;
 }
 
 }  // namespace seam::report

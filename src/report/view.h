@@ -35,8 +35,9 @@ class DepthGrid {
   using Triangle = std::array<Vector, 3>;  ///< in the coordinates of the view
   explicit DepthGrid(const std::vector<Triangle>&);
 
-  /// Whether something nearer lies in front, by more than the thickness of a line.
-  bool hides(const Vector& point) const;
+  /// Whether something nearer lies in front, by more than the thickness of a line; if
+  /// `all_round`, in front of all that is next to the point, too.
+  bool hides(const Vector& point, bool all_round) const;
   /// By the number of the triangle.
   bool shows(std::size_t triangle) const { return seen_[triangle]; }
 

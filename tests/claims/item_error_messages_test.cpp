@@ -226,5 +226,49 @@ TEST(ItemErrorMessages, leave_the_good_items_readable) {
   EXPECT_EQ(parsed.file.items[1].name, "d");
 }
 
+TEST(ItemErrorMessages, where_a_figure_is_drawn_with_something_unknown) {
+  EXPECT_EQ(messages("figure \"S\": S with nets\n"),
+            "a.seam:1:20: error: a figure cannot be drawn with 'nets'\n"
+            "  1 | figure \"S\": S with nets\n"
+            "    |                    ^~~~\n"
+            "    = did you mean 'net'?\n");
+  EXPECT_EQ(messages("figure \"S\": S with shadow\n"),
+            "a.seam:1:20: error: a figure cannot be drawn with 'shadow'\n"
+            "  1 | figure \"S\": S with shadow\n"
+            "    |                    ^~~~~~\n"
+            "    = it can with 'net', 'curvature_lines', 'contours'\n");
+}
+
+TEST(ItemErrorMessages, where_a_clause_of_a_figure_is_misspelled) {
+  EXPECT_EQ(messages("figure \"S\": S colored by gauss\n"),
+            "a.seam:1:15: error: unknown clause 'colored'\n"
+            "  1 | figure \"S\": S colored by gauss\n"
+            "    |               ^~~~~~~\n"
+            "    = did you mean 'coloured'?\n");
+}
+
+TEST(ItemErrorMessages, where_a_figure_is_coloured_twice) {
+  EXPECT_EQ(messages("figure \"S\": S coloured by x coloured by y\n"),
+            "a.seam:1:29: error: this item has 'coloured' twice\n"
+            "  1 | figure \"S\": S coloured by x coloured by y\n"
+            "    |                             ^~~~~~~~\n"
+            "    = the first is at 1:15\n");
+}
+
+TEST(ItemErrorMessages, where_a_figure_has_no_title) {
+  EXPECT_EQ(messages("figure a: S\n"),
+            "a.seam:1:9: error: expected a text in quotes after 'a'\n"
+            "  1 | figure a: S\n"
+            "    |         ^\n");
+}
+
+TEST(ItemErrorMessages, where_two_figures_have_one_id) {
+  EXPECT_EQ(messages("figure a \"S\": S\nfigure a \"T\": T\n"),
+            "a.seam:2:8: error: the id 'a' is used twice\n"
+            "  2 | figure a \"T\": T\n"
+            "    |        ^\n"
+            "    = the first is at 1:8\n");
+}
+
 }  // namespace
 }  // namespace seam::claims

@@ -251,7 +251,7 @@ TEST(Parse, every_form_of_the_language_is_read) {
   ASSERT_TRUE(in);
   std::stringstream bytes;
   bytes << in.rdbuf();
-  EXPECT_EQ(file(bytes.str()).items.size(), 58u);
+  EXPECT_EQ(file(bytes.str()).items.size(), 61u);
 }
 
 TEST(Parse, the_examples_of_the_reference_are_read) {
