@@ -89,10 +89,11 @@ std::string controls() {
                  "placeholder=\"id, title or formula\"/>\n" +
                  html_element("div role=\"group\" aria-label=\"verdicts shown\"", buttons) +
                  html_element("button type=\"button\" id=\"unfold\"", "Unfold all") +
-                 html_element("p id=\"count\" role=\"status\" aria-live=\"polite\"", "") +
-                 html_element("p class=\"quiet keys\"",
-                              "Keys: <kbd>/</kbd> search, <kbd>j</kbd> <kbd>k</kbd> next and "
-                              "previous claim, <kbd>Enter</kbd> fold and unfold")) +
+                 html_element("p id=\"count\" role=\"status\" aria-live=\"polite\"", "")) +
+         "\n" +
+         html_element("p id=\"keys\" class=\"quiet\" hidden=\"hidden\"",
+                      "Keys: <kbd>/</kbd> search, <kbd>Esc</kbd> out of it, <kbd>j</kbd> "
+                      "<kbd>k</kbd> next and previous claim, <kbd>Enter</kbd> fold and unfold") +
          "\n";
 }
 

@@ -7,6 +7,7 @@
   if (!controls) return;
   const query = document.getElementById("query");
   const count = document.getElementById("count");
+  const keys = document.getElementById("keys");
   const unfold = document.getElementById("unfold");
   const buttons = [...controls.querySelectorAll("button[data-verdict]")];
   const claims = [...document.querySelectorAll("article.claim")];
@@ -71,6 +72,12 @@
     target.scrollIntoView();
   }
 
+  // The controls, which stay in sight, cover no place that a link leads to.
+  function make_room() {
+    const covers = getComputedStyle(controls).position === "sticky" ? controls.offsetHeight : 0;
+    document.documentElement.style.scrollPaddingTop = `${covers + 12}px`;
+  }
+
   function step(by) {
     const list = visible();
     if (list.length === 0) return;
@@ -80,7 +87,7 @@
     list[next].scrollIntoView({ block: "nearest" });
   }
 
-  controls.hidden = false;
+  controls.hidden = keys.hidden = false;
   controls.addEventListener("submit", (event) => event.preventDefault());
   query.addEventListener("input", apply);
   for (const button of buttons)
@@ -111,7 +118,9 @@
     }
   });
   window.addEventListener("hashchange", reveal);
+  new ResizeObserver(make_room).observe(controls);
   recall();
   apply();
+  make_room();
   reveal();
 })();
