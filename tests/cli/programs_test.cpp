@@ -72,6 +72,22 @@ TEST_F(Programs, a_number_that_must_be_above_0_says_so) {
       << finished.output;
 }
 
+TEST_F(Programs, every_id_that_is_listed_can_be_verified_alone) {
+  write("table.seam",
+        "table t for k in 1..2 labelled \"one\", \"two\":\n    \"square\" k^2 ~ 1, 4\n");
+  EXPECT_EQ(seamproof("list table.seam right.seam").output, "t.square.one\nt.square.two\na\n");
+  EXPECT_EQ(seamproof("verify table.seam --claim t.square.two").status, 0);
+}
+
+TEST_F(Programs, what_may_follow_on_the_command_line_is_known_without_a_shell) {
+  EXPECT_EQ(seamproof("complete expl").output,
+            "explain\twhat a claim was turned into and how it was decided\n");
+  EXPECT_EQ(seamproof("complete verify ''").output, "/*.seam\n");
+  EXPECT_EQ(seamproof("complete explain right.seam ''").output, "a\t\n");
+  EXPECT_EQ(seamproof("complete explain broken.seam ''").output, "");
+  EXPECT_EQ(seamproof("complete no-such-command --x ''").status, 0);
+}
+
 TEST_F(Programs, an_output_folder_that_cannot_be_made_gives_74) {
   EXPECT_EQ(seamproof("verify right.seam --out right.seam/out").status, 74);
 }
