@@ -124,7 +124,7 @@ int cuts_of(std::size_t sheets, RoundedPatch::Shape shape) {
   constexpr double facets = 4400;
   const double each = facets / static_cast<double>(std::max<std::size_t>(1, sheets)) /
                       (shape == RoundedPatch::Shape::triangle ? 1 : 2);
-  return std::clamp(static_cast<int>(std::sqrt(each)), 3, 32);
+  return std::clamp(static_cast<int>(std::sqrt(each)), 3, 40);
 }
 
 Line side_line(const Sheet& sheet, int side, int cuts, Line::Kind kind) {
