@@ -28,6 +28,10 @@ same 'statuses of seamproof-check' "$("$checker" --help | sed -n '/^Exit status/
 same 'exit statuses, where --help is docs/command-line.md' \
   "$(sed -n '/^## Exit status/,/^## [^E]/p' "$document" | grep -oE '^\| [0-9 ]+' | grep -oE '[0-9]+' | sort)" \
   "$(shown "$page" | sed -n '/^EXIT STATUS/,/^EXAMPLES/p' | grep -oE '^ +[0-9]+' | tr -d ' ' | sort)"
+same 'files, where --help is docs/command-line.md' \
+  "$(sed -n '/^With `--out DIR`/,/^With several/p' "$document" | sed -n 's/^| \(`[^|]*`\) |.*/\1/p' |
+    grep -oE '[A-Za-z*]+[./][A-Za-z.*]*' | sort)" \
+  "$(shown "$page" | sed -n '/^FILES/,/^EXIT/p' | grep -oE '^     [A-Za-z*]+[./][A-Za-z.*]*' | tr -d ' ' | sort)"
 
 for file in "$page" "$check_page"; do
   complaints=$(mandoc -T lint -W warning "$file")
