@@ -118,6 +118,19 @@ bool is_latin_letter(char32_t point) {
                  .find(point) != std::u32string_view::npos;
 }
 
+// Marks that stand over or under the letter before them, as accents of text and of mathematics.
+struct Accent {
+  char32_t mark;
+  const char *text, *mathematics;  // empty: there is none
+};
+
+constexpr std::array accents = {
+    Accent{0x0300, "`", "grave"}, Accent{0x0301, "'", "acute"}, Accent{0x0302, "^", "hat"},
+    Accent{0x0303, "~", "tilde"}, Accent{0x0304, "=", "bar"},   Accent{0x0306, "u", "breve"},
+    Accent{0x0307, ".", "dot"},   Accent{0x0308, "\"", "ddot"}, Accent{0x030A, "r", "mathring"},
+    Accent{0x030B, "H", ""},      Accent{0x030C, "v", "check"}, Accent{0x0323, "d", ""},
+    Accent{0x0327, "c", ""},      Accent{0x0328, "k", ""},      Accent{0x20D7, "", "vec"}};
+
 std::string numbered(const char* format, unsigned value) {
   char buffer[24];
   std::snprintf(buffer, sizeof buffer, format, value);
@@ -156,18 +169,54 @@ std::string latex_of(const Decoded& decoded, std::string_view bytes) {
   return numbered("[U+%04X]", decoded.point);
 }
 
+// A letter with the accent that follows it; nothing if there is no such sign.
+std::string accented(char32_t letter, const Accent& accent) {
+  const std::string text = accent.text, mathematics = accent.mathematics;
+  const auto* greek = std::ranges::find(replacements, letter, &Replacement::point);
+  if (greek != replacements.end()) {
+    const std::string latex = greek->latex;
+    const bool is_letter =
+        (letter >= U'α' && letter <= U'ω') || (letter >= U'Γ' && letter <= U'Ω');
+    if (!is_letter || mathematics.empty()) return "";
+    return "$\\" + mathematics + "{" + latex.substr(1, latex.size() - 2) + "}$";
+  }
+  const bool is_plain_letter =
+      (letter >= U'a' && letter <= U'z') || (letter >= U'A' && letter <= U'Z');
+  if (!is_plain_letter) return "";
+  const std::string base(1, static_cast<char>(letter));
+  if (text.empty()) return "$\\" + mathematics + "{" + base + "}$";
+  const bool loses_dot = !mathematics.empty() && (base == "i" || base == "j");
+  return "\\" + text + "{" + (loses_dot ? "\\" : "") + base + "}";
+}
+
+// The letter at the beginning of a text together with the accent behind it, and how many bytes
+// both take; 0 where there is none.
+std::pair<std::string, std::size_t> accented_start(std::string_view text,
+                                                   const Decoded& letter) {
+  if (!letter.valid || text.size() == letter.length) return {"", 0};
+  const Decoded mark = decode(text.substr(letter.length));
+  const auto* accent = std::ranges::find(accents, mark.point, &Accent::mark);
+  if (!mark.valid || accent == accents.end()) return {"", 0};
+  std::string latex = accented(letter.point, *accent);
+  const std::size_t length = latex.empty() ? 0 : letter.length + mark.length;
+  return {std::move(latex), length};
+}
+
 }  // namespace
 
 std::string escape(std::string_view text) {
-  constexpr int longest_word = 16;
+  constexpr int longest_word = 16, width_of_number = 7;
   std::string result;
   int word = 0;
   while (!text.empty()) {
     const Decoded decoded = decode(text);
-    const std::string_view bytes = text.substr(0, decoded.length);
-    text.remove_prefix(decoded.length);
-    result += latex_of(decoded, bytes);
-    word = bytes == " " ? 0 : word + 1;
+    const auto [letter, length] = accented_start(text, decoded);
+    const std::string_view bytes = text.substr(0, length > 0 ? length : decoded.length);
+    text.remove_prefix(bytes.size());
+    const std::string printed = length > 0 ? letter : latex_of(decoded, bytes);
+    result += printed;
+    const bool is_number = printed.size() > 1 && printed.front() == '[';
+    word = bytes == " " ? 0 : word + (is_number ? width_of_number : 1);
     if (word >= longest_word || bytes == "/" || bytes == ",") {
       result += "\\allowbreak{}";
       word = 0;

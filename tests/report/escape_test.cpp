@@ -37,7 +37,7 @@ TEST(Escape, bytes_that_are_not_text_are_printed_one_by_one) {
   EXPECT_EQ(escape("\xFF"), "[byte FF]");
   EXPECT_EQ(escape("\xE2\x82"), "[byte E2][byte 82]");
   EXPECT_EQ(escape("\xC0\xAF"), "[byte C0][byte AF]");  // overlong
-  EXPECT_EQ(escape("\xE0\x80\xAF"), "[byte E0][byte 80][byte AF]");
+  EXPECT_EQ(escape("\xE0\x80\xAF"), "[byte E0][byte 80][byte AF]\\allowbreak{}");
   EXPECT_EQ(escape("\xF5"), "[byte F5]");
 }
 
@@ -49,6 +49,21 @@ TEST(Escape, every_byte_alone_gives_text_without_a_bare_special_character) {
       EXPECT_EQ(std::string("\\{}$&#%_^~").find(latex), std::string::npos);
     }
   }
+}
+
+TEST(Escape, an_accent_joins_the_letter_before_it) {
+  EXPECT_EQ(escape("α\u0302"), "$\\hat{\\alpha}$");
+  EXPECT_EQ(escape("x\u0302"), "\\^{x}");
+  EXPECT_EQ(escape("e\u0301i\u0308"), "\\'{e}\\\"{\\i}");
+  EXPECT_EQ(escape("v\u20D7"), "$\\vec{v}$");
+}
+
+TEST(Escape, an_accent_without_a_letter_to_stand_on_is_printed_by_its_number) {
+  EXPECT_EQ(escape("\u0302"), "[U+0302]");
+  EXPECT_EQ(escape("≤\u0302"), "$\\leq$[U+0302]");
+  EXPECT_EQ(escape("1\u0302"), "1[U+0302]");
+  EXPECT_EQ(escape("α\u0327"), "$\\alpha$[U+0327]");
+  EXPECT_EQ(escape("x\u0302\u0302"), "\\^{x}[U+0302]");
 }
 
 TEST(Escape, a_long_word_may_be_broken) {
