@@ -5,6 +5,7 @@
 #include "report/escape.h"
 #include "report/figure.h"
 #include "report/glossary.h"
+#include "report/latex_assumptions.h"
 #include "report/latex_claim.h"
 #include "report/latex_errata.h"
 #include "report/latex_front.h"
@@ -96,6 +97,7 @@ std::string latex(const Run& run) {
     result += latex_front(file, run) + latex_errata(file);
     for (const ItemRun& item : file.items)
       result += std::visit([](const auto& it) { return latex_item(it); }, item);
+    result += latex_assumptions(file);
   }
   return result + closing(run) + "\\end{document}\n";
 }

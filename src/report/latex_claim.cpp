@@ -13,6 +13,7 @@ namespace seam::report {
 namespace {
 
 constexpr std::size_t longest_obligation = 1500;  // bytes; beyond, the certificate has it
+constexpr std::size_t longest_line = 70;          // that stands beside its mark
 constexpr std::size_t longest_witness = 5000;     // beyond, it is shown as it is
 constexpr std::size_t most_evidence = 3;  // different lines of evidence shown for a group
 
@@ -28,12 +29,17 @@ std::string evidence_of(const ObligationGroup& group) {
 
 std::string latex_group(const ObligationGroup& group) {
   const ObligationRun& first = *group.first;
-  std::string words = escape(about(first));
+  // What is about nothing in particular says itself what it is, if it is short.
+  const bool is_shown = first.about.empty() && first.latex.empty() && !first.text.empty() &&
+                        first.text.size() <= longest_line && group.count == 1;
+  std::string words =
+      is_shown ? "{\\small\\texttt{" + escape(first.text) + "}}" : escape(about(first));
   if (first.guard) words += " \\SeamQuiet{(so that the formulas mean something)}";
   if (group.count > 1)
     words += " \\SeamQuiet{--- " + std::to_string(group.count) + " of this kind}";
   std::string result =
       latex_call("SeamObligation", {name(first.status), words, evidence_of(group)});
+  if (is_shown) return result;
   const std::string shown = first.latex.empty() ? first.text : first.latex;
   if (shown.size() > longest_obligation)
     return result + latex_call("SeamTrace", {"its formula is long; the certificate holds it"});
@@ -98,6 +104,10 @@ std::string latex_anchor(const ClaimRun& claim) {
   std::string anchor = "claim.";
   for (const char c : claim.id) anchor += std::to_string(static_cast<unsigned char>(c)) + ".";
   return anchor;
+}
+
+std::string latex_claim_link(const ClaimRun& claim) {
+  return "\\SeamLink{" + latex_anchor(claim) + "}{\\texttt{" + escape(claim.id) + "}}";
 }
 
 std::string latex_claim(const ClaimRun& claim) {

@@ -14,6 +14,9 @@ std::string latex_claim(const ClaimRun&);
 /// What refutes a claim, with the signs of mathematics.
 std::string latex_witness(const std::string& witness);
 
+/// The id of a claim, which leads to it.
+std::string latex_claim_link(const ClaimRun&);
+
 /// The name that a link to the claim goes by.
 std::string latex_anchor(const ClaimRun&);
 
