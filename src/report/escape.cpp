@@ -217,7 +217,7 @@ std::string escape(std::string_view text) {
     result += printed;
     const bool is_number = printed.size() > 1 && printed.front() == '[';
     word = bytes == " " ? 0 : word + (is_number ? width_of_number : 1);
-    if (word >= longest_word || bytes == "/" || bytes == ",") {
+    if (word >= longest_word || bytes == "/" || bytes == "," || bytes == "*") {
       result += "\\allowbreak{}";
       word = 0;
     }
