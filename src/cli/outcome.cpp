@@ -165,6 +165,19 @@ void collect_denied(const certificate::Goal& goal, bool is_denied,
     collect_denied(part, is_denied != negates, result);
 }
 
+// The obligations that stand under an odd number of negations and nowhere else: the claim gains
+// where they fail.
+std::set<int> only_denied(const Statement& statement) {
+  std::vector<const certificate::Goal*> denied, others;
+  collect_denied(statement.goal, false, denied);
+  collect_denied(statement.goal, true, others);
+  std::set<int> elsewhere(statement.guards.begin(), statement.guards.end()), result;
+  for (const certificate::Goal* goal : others) elsewhere.insert(goal->obligation);
+  for (const certificate::Goal* goal : denied)
+    if (!elsewhere.contains(goal->obligation)) result.insert(goal->obligation);
+  return result;
+}
+
 // The obligations that stand elsewhere than under what merely suffices: they can refute.
 void collect_deciding(const certificate::Goal& goal, std::set<std::size_t>& result) {
   if (goal.kind == certificate::Goal::Kind::suffices) return;
@@ -308,12 +321,15 @@ Decided decide(const claims::Lowered& lowered, const claims::Expression& stateme
   outcome.verdict = judgement.verdict;
 
   Formulas formulas(claimed, result.evidence);
+  const std::set<int> denied = only_denied(claimed);
   for (std::size_t i = 0; i < claimed.obligations.size(); ++i) {
     const certificate::Proof& proof = result.evidence.proofs[i];
     const check::Finding& finding = judgement.findings[i];
     const Summary summary = summary_of(claimed.obligations[i], proof, formulas);
     report::ObligationRun run;
     run.about = lowered.exported->about[i];
+    if (denied.contains(static_cast<int>(i)))
+      run.about += run.about.empty() ? "shown if this fails" : ", shown if this fails";
     run.kind = kind_of(claimed.obligations[i]);
     run.text = readable(lowered.exported->text[i]);
     run.guard = std::ranges::find(claimed.guards, static_cast<int>(i)) != claimed.guards.end();

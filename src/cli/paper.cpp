@@ -56,6 +56,7 @@ class Scanner {
   void skip_verb();
   void skip_false();
   void input();
+  void import();
 
   // The name after a backslash that has been read: letters, or one other character.
   std::string name() {
@@ -170,7 +171,8 @@ void Scanner::word(std::size_t begin) {
   if (word == "endinput") is_done_ = true;
   if (word == "iffalse") skip_false();
   if (among(word, {"verb", "lstinline", "mintinline"})) skip_verb();
-  if (among(word, {"input", "include", "subfile"})) input();
+  if (among(word, {"input", "include", "subfile", "InputIfFileExists"})) input();
+  if (among(word, {"import", "subimport"})) import();
 }
 
 void Scanner::mention(Mention::Kind kind, std::size_t begin) {
@@ -239,6 +241,13 @@ void Scanner::input() {
     at_ = end;
   }
   if (!file->empty()) files_.input(*file, span(begin));
+}
+
+// \import{folder/}{file}
+void Scanner::import() {
+  const std::size_t begin = at_;
+  const auto folder = argument(), file = folder ? argument() : std::nullopt;
+  if (file) files_.input((fs::path(*folder) / *file).string(), span(begin));
 }
 
 }  // namespace

@@ -107,6 +107,9 @@ TEST_F(CheckTex, what_the_paper_inputs_is_read_once_and_nothing_above_its_folder
   EXPECT_NE(finished.output.find("2 printed, 1 right, 1 wrong"), std::string::npos)
       << finished.output;
 
+  EXPECT_EQ(status("\\import{parts/}{two}"), 1);
+  EXPECT_EQ(status("\\InputIfFileExists{parts/two}{}{}"), 1);
+
   write("above.tex", "\\spval{third}{0.4}");
   const Finished above = check("\\input{../above} \\input ../above \\spval{third}{0.3}");
   EXPECT_EQ(above.status, 0);
