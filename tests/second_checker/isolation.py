@@ -41,7 +41,8 @@ class Obligation:
         self.unknowns = [program.symbol(text(name)) for name in listed(unknowns)]
         self.domain = Domain(program, factors, where, program.of_statement)
         self.equations = coefficients(program, system, for_all, program.of_statement)
-        self.low, self.high = ([rational(x) for x in listed(ends, len(unknowns))] for ends in (low, high))
+        stated = Box(program, self.unknowns, {"low": low, "high": high})
+        self.low, self.high = stated.low, stated.high
         if sorted(self.unknowns) != sorted(self.domain.variables()):
             raise Refused("unknowns that are not the variables of the domain")
         if program.functions_of([whole(t, 0, program.of_statement) for t in system] + self.domain.terms):

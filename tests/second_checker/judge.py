@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Judges certificates by docs/certificates.md alone: usage: judge.py CERTIFICATE...
 
@@ -71,7 +70,7 @@ class Judgement:
         except NotJudged as reason:
             self.why[str(reason)] += 1
             return NOT_JUDGED
-        except (Refused, Open) as reason:
+        except (Malformed, Refused, Open) as reason:  # what is not understood shows nothing
             self.why["open: " + str(reason)] += 1
             return OPEN
 

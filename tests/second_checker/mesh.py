@@ -38,6 +38,8 @@ class Mesh:
     def truncated(self, ratio, tower):
         if not (self.is_manifold() and self.is_oriented()):
             raise Refused("a mesh that is truncated and is no oriented manifold")
+        if any(n < 3 for n in self.valences().values()):
+            raise Refused("a vertex on two faces that is cut off")
         mate, before = self.mates(), self.side_before()
         faces, start = [], 0
         for face in self.faces:

@@ -53,7 +53,12 @@ def sign(program, content, kind, evidence, proof):
             return True
         empty = domain.factors or functions or not all(program.is_number(f) for f, _ in domain.conditions)
         return None if empty or not domain.meets({}) else False
-    region = Region.of(program, domain.factors, domain.conditions, functions)
+    bounded = set(domain.variables()) | set(functions)
+    held = [formula, *(f for f, _ in domain.conditions), *(program.functions[f][1] for f in functions)]
+    lines = {v for f in held for v in program.variables(f)} - bounded
+    region = Region.of(program, domain.factors, domain.conditions, functions, lines)
+    if not region.holds(formula):
+        return None
     return True if shows_safely(region, formula, relation, proof) else None
 
 

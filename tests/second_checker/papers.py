@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Judges all certificates of a report: usage: papers.py REPORT NOT_JUDGED
 

@@ -11,7 +11,7 @@ from polynomial import Polynomial, degree_of, fields
 from reading import listed, members, need, only_member, whole
 from tower import Open, Refused
 
-COMPLEMENT = {">": "<=", ">=": "<", "<": ">=", "<=": ">", "!=": "="}
+COMPLEMENT = {">": "<=", ">=": "<", "<": ">=", "<=": ">", "=": "!=", "!=": "="}
 
 
 def barycentric(formula, factors, coordinates):
@@ -90,12 +90,12 @@ class Piece:
     def is_plain(self, which, relation, relations):
         """Whether the coefficients of formula number `which` show the relation over this piece."""
         want = {">": 1, ">=": 1, "<": -1, "<=": -1}.get(relation)
+        if want is None:
+            return False
         try:
             signs = self.signs(which)
         except Open:
             return False
-        if relation == "=":
-            return not signs
         if -want in signs.values():
             return False
         if relation in (">=", "<="):

@@ -5,7 +5,7 @@ from pieces import Piece, shown
 from polynomial import NotJudged, Polynomial
 from program import RELATIONS, relation_holds
 from reading import listed, members, need, only_member, whole
-from tower import Open
+from tower import Open, Refused
 
 ONE, ZERO = Polynomial.constant(1), Polynomial()
 DIRECTION = {">": 1, ">=": 1, "=": 0, "!=": 0, "<=": -1, "<": -1}
@@ -14,13 +14,14 @@ DEEPEST = 60
 
 
 class Region:
-    """A product of simplices cut by conditions (polynomial, relation), in variables and functions."""
+    """A product of simplices cut by conditions (polynomial, relation), in variables and functions. `lines` are the
+    variables of the obligation that belong to no factor."""
 
-    def __init__(self, program, factors, conditions):
-        self.program, self.factors, self.conditions = program, factors, conditions
+    def __init__(self, program, factors, conditions, lines=()):
+        self.program, self.factors, self.conditions, self.lines = program, factors, conditions, set(lines)
 
     @staticmethod
-    def of(program, factors, conditions, functions):
+    def of(program, factors, conditions, functions, lines=()):
         """Larger than the domain: each function is one coordinate more, and what defines it is a condition."""
         factors, conditions = list(factors), list(conditions)
         for f in functions:
@@ -36,19 +37,24 @@ class Region:
                 cosine = program.cosine_before(program.functions, kind, inside)
                 if cosine is not None:
                     conditions.append((symbol ** 2 + Polynomial.symbol(cosine, 2) - ONE, "="))
-        return Region(program, factors, conditions)
+        return Region(program, factors, conditions, lines)
 
     def with_condition(self, formula, relation):
-        return Region(self.program, self.factors, self.conditions + [(formula, relation)])
+        return Region(self.program, self.factors, self.conditions + [(formula, relation)], self.lines)
 
-    def free(self, formula):
-        """Whether it holds a symbol that is no coordinate of the region, and no generator."""
-        coordinates = {v for factor in self.factors for v in factor.variables}
-        return not formula.support() <= coordinates | set(self.program.generators)
+    def bounds(self, formula):
+        """Whether all that stands in it, beside generators, are coordinates of the region."""
+        return formula.support() <= {v for f in self.factors for v in f.variables} | set(self.program.generators)
 
-    def has_log(self, formula):
-        functions = self.program.functions
-        return any(s in functions and functions[s][0] == "log" for s in formula.support())
+    def holds(self, formula):
+        """Whether it is a formula in the variables and functions of the region. A logarithm has no coordinate."""
+        others = {s for s in formula.support() if s not in self.lines}
+        return others <= {v for f in self.factors for v in f.variables} | set(self.program.generators)
+
+    def for_pieces(self):
+        """The conditions that pieces count, None for one that is not looked at since it has a logarithm."""
+        kept = [(f if self.bounds(f) else None, r) for f, r in self.conditions]
+        return [(f, r) for f, r in kept if f is not None] if self.lines else kept
 
 
 def shows(region, formula, relation, proof, depth=0):
@@ -64,7 +70,10 @@ class Step:
         self.formula = self.program.tower.reduce(formula)
 
     def term(self, index):
-        return self.program.term(whole(index, 0, len(self.program.nodes)))
+        term = self.program.term(whole(index, 0, len(self.program.nodes)))
+        if not self.region.holds(term):
+            raise Refused("a term that holds another variable than the region")
+        return term
 
     def terms(self, indices):
         return [self.term(index) for index in listed(indices)]
@@ -89,8 +98,6 @@ class Step:
                                  "combination") if k in proof), "cases" if "above" in proof else None)
         if kind is None:
             raise NotJudged("a reduction: " + next(iter(proof)))
-        if self.region.has_log(self.formula):
-            return False
         return getattr(self, kind)(proof)
 
     def pieces(self, content):
@@ -99,8 +106,6 @@ class Step:
         else:
             (side, steps), square = members(content, "side", "steps"), None
         formula, relation = self.formula, self.relation
-        if relation == "=":
-            return False
         if relation == "!=":
             relation = side
             if side not in (">", "<"):
@@ -110,14 +115,11 @@ class Step:
             if relation not in (">=", "<=") or not self.is_zero(square * square * cofactor - formula):
                 return False
             formula = cofactor
-        if self.region.free(formula) or self.region.has_log(formula):
+        if not self.region.bounds(formula):
             return False
-        conditions, relations = [], []
-        for f, r in self.region.conditions:
-            if self.region.has_log(f) or not self.region.free(f):
-                conditions.append(None if self.region.has_log(f) else f)
-                relations.append(r)
-        piece = Piece.whole(self.program, self.region.factors, formula, conditions)
+        conditions = self.region.for_pieces()
+        relations = [r for _, r in conditions]
+        piece = Piece.whole(self.program, self.region.factors, formula, [f for f, _ in conditions])
         return shown(piece, relation, relations, steps)
 
     def multiplier(self, proof):

@@ -30,7 +30,7 @@ endfunction()
 file(GLOB_RECURSE sources RELATIVE ${ROOT} ${ROOT}/src/*.h ${ROOT}/src/*.cpp)
 file(GLOB_RECURSE tests RELATIVE ${ROOT} ${ROOT}/tests/*.h ${ROOT}/tests/*.cpp)
 file(GLOB_RECURSE scripts RELATIVE ${ROOT} ${ROOT}/src/CMakeLists.txt ${ROOT}/tests/CMakeLists.txt
-     ${ROOT}/cmake/*.cmake ${ROOT}/tests/*.cmake)
+     ${ROOT}/cmake/*.cmake ${ROOT}/tests/*.cmake ${ROOT}/tests/second_checker/*.py)
 if(NOT sources)
   fail("no sources below ${ROOT}/src")
 endif()
