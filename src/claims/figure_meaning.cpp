@@ -21,6 +21,28 @@ bool has_a_picture(const Value& value) {
          value.as<geometry::Mesh>() || value.as<geometry::Curve>();
 }
 
+bool is_same(const geometry::Patch& a, const geometry::Patch& b) {
+  if (a.shape() != b.shape() || a.degree_u() != b.degree_u() || a.degree_v() != b.degree_v() ||
+      a.dimension() != b.dimension())
+    return false;
+  for (std::size_t j = 0; j < a.rows().size(); ++j)
+    for (std::size_t i = 0; i < a.rows()[j].size(); ++i)
+      if (!std::ranges::equal(a.rows()[j][i], b.rows()[j][i],
+                              [](const Formula& x, const Formula& y) { return x.same(y); }))
+        return false;
+  return true;
+}
+
+// As a patch, or as one of a surface.
+bool shows(const MeantFigure& figure, const geometry::Patch& patch) {
+  return std::ranges::any_of(figure.values, [&](const Value& value) {
+    if (const auto* one = value.as<geometry::Patch>()) return is_same(*one, patch);
+    const auto* surface = value.as<geometry::Surface>();
+    return surface && std::ranges::any_of(surface->patches,
+                                          [&](const auto& p) { return is_same(p, patch); });
+  });
+}
+
 bool has_no_single_value(const Value& value) {
   return value.as<AnyMesh>() || value.as<IteratedMesh>();
 }
@@ -145,7 +167,8 @@ MeantFigure::Colour Reader::colour(const MeantFigure& figure, const Expression& 
 
 void Reader::figure(const Item& item) {
   if (!item.name.empty()) add_id(item.name, item.name_span);
-  MeantFigure result{item.name, item.claim.title, item.claim.at, {}, {}, {}, item.names, {}};
+  MeantFigure result{item.name, item.claim.title, item.claim.at, {}, {}, {}, {}, item.names,
+                     {}};
   const std::set<std::string> bound = evaluator_.bound_symbols();
   try {
     Scope scope;
@@ -154,6 +177,11 @@ void Reader::figure(const Item& item) {
       result.functions = functions(shown, scope);
     else
       show(result, shown);
+    for (const auto& [name, definition] : evaluator_.globals)
+      if (const auto* patch =
+              definition.value ? definition.value->as<geometry::Patch>() : nullptr;
+          patch && shows(result, *patch))
+        result.named.emplace(name, *patch);
     if (item.expressions.size() > 1)
       result.colour = colour(result, item.expressions[1], scope);
     else if (result.functions)

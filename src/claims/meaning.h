@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -74,6 +75,7 @@ struct MeantFigure {
   };
   std::string id, title, at;
   std::vector<Value> values;  ///< patches, surfaces, meshes, curves
+  std::map<std::string, geometry::Patch> named;  ///< those shown that have names in the file
   std::optional<Functions> functions;
   std::optional<Colour> colour;
   std::vector<std::string> with;  ///< `net`, `curvature_lines`, `contours`

@@ -52,19 +52,32 @@ Vector value(Shape shape, Net net, double u, double v) {
   return net[0][0];
 }
 
+// What is left of rounding where terms cancel is taken for 0, so that flat is flat.
+constexpr double rounding = 1e-12;
+
+double difference(double a, double b) {
+  return std::abs(a - b) > rounding * (std::abs(a) + std::abs(b)) ? a - b : 0;
+}
+
+double inner(const Vector& a, const Vector& b) {
+  const double result = dot(a, b);
+  return std::abs(result) > rounding * length(a) * length(b) ? result : 0;
+}
+
 }  // namespace
 
 double Jet::gauss() const {
   const Vector n = normal();
   const double size = dot(n, n);
-  return (dot(n, uu) * dot(n, vv) - dot(n, uv) * dot(n, uv)) / (size * size);
+  const double a = inner(n, uu), b = inner(n, uv), c = inner(n, vv);
+  return difference(a * c, b * b) / (size * size);
 }
 
 double Jet::mean() const {
   const Vector n = normal();
   const double size = dot(n, n);
-  return (dot(v, v) * dot(n, uu) - 2 * dot(u, v) * dot(n, uv) + dot(u, u) * dot(n, vv)) /
-         (2 * size * std::sqrt(size));
+  const double straight = dot(v, v) * inner(n, uu) + dot(u, u) * inner(n, vv);
+  return difference(straight, 2 * dot(u, v) * inner(n, uv)) / (2 * size * std::sqrt(size));
 }
 
 RoundedPatch::RoundedPatch(const geometry::Patch& patch, const symbolic::Numbers& numbers)

@@ -14,6 +14,7 @@
 #include "claims/latex.h"
 #include "claims/rests_on.h"
 #include "cli/figure.h"
+#include "cli/figure_marks.h"
 #include "cli/files.h"
 #include "cli/outcome.h"
 #include "cli/true_digits.h"
@@ -308,6 +309,7 @@ Verified verify(const std::filesystem::path& file, const VerifyOptions& options,
     }
   }
   add_true_digits(result.run, meaning, file, options);
+  mark_refutations(result.run, meaning);
   result.certificates = std::move(assembly.certificates);
   return result;
 }

@@ -33,7 +33,7 @@ class Painter {
     const double factor = larger_side / 2;
     bottom_ = figure_.values.empty() ? margin : 44;
     result_.width =
-        std::max(2 * factor * view_.half_width(), figure_.values.empty() ? 0 : 222.0) +
+        std::max(2 * factor * view_.half_width(), figure_.values.empty() ? 0 : 240.0) +
         2 * margin;
     result_.height = 2 * factor * view_.half_height() + bottom_ + margin;
     middle_ = {result_.width / 2, bottom_ + factor * view_.half_height()};

@@ -67,8 +67,8 @@ class Writer {
   }
   std::string operator()(const Drawing::Mark& mark) const {
     return "\\draw[red!75!black,line width=1.5bp] " + place(mark.at) +
-           " circle[radius=4bp] node[right=4bp,font=\\scriptsize] {" + escape(mark.label) +
-           "};\n";
+           " circle[radius=4bp] node[right=6bp,inner sep=1bp,fill=white,font=\\scriptsize] {" +
+           escape(mark.label) + "};\n";
   }
   std::string operator()(const Drawing::Text& text) const {
     using Anchor = Drawing::Text::Anchor;

@@ -46,7 +46,8 @@ class Writer {
   std::string operator()(const Drawing::Mark& mark) const {
     return "<circle fill=\"none\" color=\"#c1121f\" stroke-width=\"1.5\" cx=\"" +
            number(mark.at[0]) + "\" cy=\"" + number(height_ - mark.at[1]) + "\" r=\"4\"/>\n" +
-           (*this)(Drawing::Text{{mark.at[0] + 6, mark.at[1] - 3}, mark.label, {}, {}});
+           "<text class=\"mark\" x=\"" + number(mark.at[0] + 6) + "\" y=\"" +
+           number(height_ - mark.at[1] + 3) + "\">" + html_escape(mark.label) + "</text>\n";
   }
   std::string operator()(const Drawing::Text& text) const {
     using Anchor = Drawing::Text::Anchor;
@@ -74,14 +75,14 @@ class Writer {
 std::string svg(const FigureRun& figure) {
   const Drawing drawn = drawing(figure);
   const std::string width = number(drawn.width), height = number(drawn.height);
-  std::string result =
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" width=\"" + width +
-      "pt\" height=\"" + height + "pt\" viewBox=\"0 0 " + width + " " + height +
-      "\">\n<title>" + html_escape(figure.title) + "</title>\n<desc>" +
-      html_escape(description(figure)) +
-      "</desc>\n<style>text{font:8px sans-serif;fill:#222;stroke:none}</style>\n"
-      "<g fill=\"currentColor\" stroke=\"currentColor\" stroke-width=\"0.7\" "
-      "stroke-linejoin=\"round\" stroke-linecap=\"round\">\n";
+  std::string result = "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" width=\"" +
+                       width + "pt\" height=\"" + height + "pt\" viewBox=\"0 0 " + width + " " +
+                       height + "\">\n<title>" + html_escape(figure.title) +
+                       "</title>\n<desc>" + html_escape(description(figure)) +
+                       "</desc>\n<style>text{font:8px sans-serif;fill:#222;stroke:none}"
+                       ".mark{stroke:#fff;stroke-width:2px;paint-order:stroke}</style>\n"
+                       "<g fill=\"currentColor\" stroke=\"currentColor\" stroke-width=\"0.7\" "
+                       "stroke-linejoin=\"round\" stroke-linecap=\"round\">\n";
   const Writer writer(drawn.height);
   for (const Drawing::Part& part : drawn.parts) result += std::visit(writer, part);
   return result + "</g>\n</svg>\n";
