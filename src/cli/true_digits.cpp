@@ -4,6 +4,7 @@
 #include <chrono>
 #include <map>
 #include <memory>
+#include <new>
 
 #include "cli/files.h"
 
@@ -66,12 +67,13 @@ Decided decide(const claims::NamedNumbers::Statement& statement, const VerifyOpt
 std::optional<PrintedNumber> certified(claims::NamedNumbers& numbers, const std::string& name,
                                        int places, bool truncated,
                                        const VerifyOptions& options) {
-  const auto likely = numbers.likely(name, places, truncated);
-  if (!likely) return std::nullopt;
   try {
+    const auto likely = numbers.likely(name, places, truncated);
+    if (!likely) return std::nullopt;
     const Decided decided = decide(numbers.printed_as(name, *likely), options);
     if (decided.outcome.verdict == Verdict::proven) return likely;
   } catch (const claims::Unsupported&) {
+  } catch (const std::bad_alloc&) {
   }
   return std::nullopt;
 }
