@@ -31,7 +31,7 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/install/seamproofConfigVe
 install(FILES ${PROJECT_BINARY_DIR}/install/seamproofConfig.cmake
               ${PROJECT_BINARY_DIR}/install/seamproofConfigVersion.cmake
         DESTINATION ${package_folder} COMPONENT programs)
-install(FILES ${CMAKE_CURRENT_LIST_DIR}/SeamproofAddProofs.cmake OPTIONAL
+install(FILES ${CMAKE_CURRENT_LIST_DIR}/SeamproofAddProofs.cmake
         DESTINATION ${package_folder} COMPONENT programs)
 install(FILES ${CMAKE_CURRENT_LIST_DIR}/FindFLINT.cmake
         DESTINATION ${package_folder} COMPONENT development)
