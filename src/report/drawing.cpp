@@ -159,10 +159,15 @@ class Painter {
       result_.parts.emplace_back(Drawing::Text{{x, y}, what, latex, anchor});
     };
     using Anchor = Drawing::Text::Anchor;
+    double taken = 0;
     for (const double tick : scale_.ticks) {
       result_.parts.emplace_back(
           Stroke{Stroke::Kind::frame, {{x_of(tick), bar_low}, {x_of(tick), bar_low - 3}}});
-      text(x_of(tick), 3, short_number(tick), Anchor::middle);
+      const std::string label = short_number(tick);
+      const double half = 2.3 * static_cast<double>(label.size());
+      if (x_of(tick) - half < taken) continue;  // it would meet the one before
+      text(x_of(tick), 3, label, Anchor::middle);
+      taken = x_of(tick) + half + 2;
     }
     if (span > 0) {
       text(left - 3, bar_low + 1, (scale_.below ? "≤ " : "") + short_number(scale_.low),
@@ -201,6 +206,8 @@ std::string legend_title(const FigureRun& figure) {
 
 std::string description(const FigureRun& figure) {
   std::string result = "A drawing of samples; it proves nothing.";
+  if (figure.triangles.empty() && figure.lines.empty() && figure.note.empty())
+    return result + " There is nothing to see.";
   if (figure.coloured_by.empty())
     return result + (figure.note.empty() ? "" : " " + figure.note);
   const Scale scale = scale_of(figure.values);
