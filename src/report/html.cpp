@@ -4,7 +4,11 @@
 #include "embedded/page_css.h"
 #include "embedded/page_js.h"
 #include "embedded/view_js.h"
+#include "report/assumptions.h"
+#include "report/errata.h"
+#include "report/html_assumptions.h"
 #include "report/html_claim.h"
+#include "report/html_errata.h"
 #include "report/html_escape.h"
 #include "report/html_figure.h"
 #include "report/html_front.h"
@@ -91,9 +95,10 @@ std::string controls() {
                  html_element("button type=\"button\" id=\"unfold\"", "Unfold all") +
                  html_element("p id=\"count\" role=\"status\" aria-live=\"polite\"", "")) +
          "\n" +
-         html_element("p id=\"keys\" class=\"quiet\" hidden=\"hidden\"",
-                      "Keys: <kbd>/</kbd> search, <kbd>Esc</kbd> out of it, <kbd>j</kbd> "
-                      "<kbd>k</kbd> next and previous claim, <kbd>Enter</kbd> fold and unfold") +
+         html_element(
+             "p id=\"keys\" class=\"quiet\" hidden=\"hidden\"",
+             "Keys: <kbd>/</kbd> search, <kbd>Esc</kbd> out of it, <kbd>j</kbd> "
+             "<kbd>k</kbd> next and previous claim, <kbd>Enter</kbd> fold and unfold") +
          "\n";
 }
 
@@ -103,12 +108,14 @@ std::string contents(const FileRun& file) {
     links += html_element("li", html_element("a href=\"#" + anchor + "\"", title));
   };
   add("summary", "Summary");
-  if (!html_errata(file).empty()) add("errata", "Errata");
+  const Errata wrong = errata(file);
+  if (!wrong.known.empty()) add("errata", errata_known_title);
+  if (!wrong.others.empty()) add("refuted", errata_others_title);
   int number = 0;
   for (const ItemRun& item : file.items)
     if (const auto* section = std::get_if<SectionRun>(&item))
       add(html_section_anchor(++number), html_escape(section->title));
-  if (!html_assumptions(file).empty()) add("assumptions", "Assumptions");
+  if (!assumptions(file).empty()) add("assumptions", assumptions_title);
   add("glossary", "Glossary");
   return html_element("nav aria-label=\"contents\"", html_element("ul", links)) + "\n";
 }

@@ -11,22 +11,12 @@ namespace {
 constexpr std::size_t longest_obligation = 700;  // bytes; beyond, the certificate has it
 constexpr std::size_t most_evidence = 3;         // different lines of evidence of a group
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string result;
-  for (const std::string& one : words) result += (result.empty() ? "" : ", ") + one;
-  return result;
-}
-
-std::string code(const std::string& text) {
-  return text.empty() ? "" : html_element("code", html_escape(text));
-}
-
 std::string evidence_of(const ObligationGroup& group) {
   std::vector<std::string> shown;
   for (const std::string& line : group.evidence)
     if (shown.size() < most_evidence && !line.empty()) shown.push_back(html_escape(line));
   if (group.evidence.size() > most_evidence) shown.emplace_back("…");
-  const std::string all = joined(shown);
+  const std::string all = html_list(shown);
   return all.empty() ? "" : " " + html_element("span class=\"quiet\"", "[" + all + "]");
 }
 
@@ -55,8 +45,9 @@ std::string html_group(const ObligationGroup& group) {
 std::string headline(const Outcome& outcome) {
   const std::size_t count = outcome.obligations.size();
   std::string text = std::to_string(count) + (count == 1 ? " obligation" : " obligations");
-  if (!outcome.method.empty()) text += ": " + joined(outcome.method);
-  return text;
+  std::vector<std::string> methods;
+  for (const std::string& method : outcome.method) methods.push_back(html_escape(method));
+  return methods.empty() ? text : text + ": " + html_list(methods);
 }
 
 // What a statement was turned into, how it was decided, and where that is written down.
@@ -64,16 +55,18 @@ std::string folded(const Outcome& outcome, const std::vector<std::string>& defin
   if (outcome.obligations.empty()) return "";
   std::string list;
   for (const ObligationGroup& group : grouped(outcome.obligations)) list += html_group(group);
+  std::vector<std::string> names;
+  for (const std::string& definition : definitions) names.push_back(html_code(definition));
   const std::string certificate =
       outcome.certificate.empty()
           ? ""
           : html_element("a href=\"" + html_escape(outcome.certificate) + "\"",
-                         code(outcome.certificate));
-  return html_element("details", html_element("summary", html_escape(headline(outcome))) +
+                         html_code(outcome.certificate));
+  return html_element("details", html_element("summary", headline(outcome)) +
                                      html_element("ol", list) +
                                      html_terms({{"certificate", certificate},
-                                                 {"digest", code(outcome.digest)},
-                                                 {"speaks of", code(joined(definitions))}})) +
+                                                 {"digest", html_code(outcome.digest)},
+                                                 {"speaks of", html_list(names)}})) +
          "\n";
 }
 
@@ -91,7 +84,7 @@ std::string html_outcome(const Outcome& outcome, const std::vector<std::string>&
                          "Soundness alarm. The checker objects: " + html_escape(outcome.alarm));
   return html_formula(outcome.latex) +
          html_terms({{"alarm", alarm},
-                     {"witness", code(outcome.witness)},
+                     {"witness", html_witness(outcome.witness)},
                      {"reason", reason(outcome)}}) +
          folded(outcome, definitions);
 }
@@ -99,7 +92,7 @@ std::string html_outcome(const Outcome& outcome, const std::vector<std::string>&
 std::string links(const std::vector<std::string>& ids) {
   std::vector<std::string> all;
   for (const std::string& id : ids) all.push_back(html_link(id));
-  return joined(all);
+  return html_list(all);
 }
 
 std::string heading(const std::string& id, const std::string& title, const std::string& at,
@@ -119,7 +112,7 @@ std::string html_claim(const ClaimRun& claim) {
       html_note(claim.comments) + html_outcome(printed, claim.definitions) +
       html_terms(
           {{"expected", printed.verdict == claim.expected ? "" : html_verdict(claim.expected)},
-           {"true digits", code(claim.true_digits)},
+           {"true digits", html_code(claim.true_digits)},
            {"rests on", links(claim.using_claims)}});
   if (claim.corrected)
     body += html_element("p", "corrected: " + html_verdict(claim.corrected->verdict)) +
@@ -149,7 +142,7 @@ std::string html_table(const TableRun& table) {
       std::string text =
           html_element("a href=\"#" + html_anchor(cell.id) + "\"",
                        (i < row.printed.size() ? html_escape(row.printed[i]) : "") + " " +
-                           html_verdict(cell.printed.verdict));
+                           html_mark(cell.printed.verdict));
       if (!cell.true_digits.empty())
         text += html_element("span class=\"digits\"", html_escape(cell.true_digits));
       line += html_element("td", text);
@@ -171,13 +164,13 @@ std::string html_table(const TableRun& table) {
 }
 
 std::string html_ask(const AskRun& ask) {
-  const std::string closed = ask.closed_form_latex.empty() ? code(ask.closed_form)
+  const std::string closed = ask.closed_form_latex.empty() ? html_code(ask.closed_form)
                                                            : html_inline(ask.closed_form_latex);
   return html_element(
              "article class=\"ask\" id=\"" + html_anchor(ask.id) + "\"",
              heading(ask.id, "", "", html_element("span class=\"verdict\"", "= value")) +
                  html_formula(ask.latex) +
-                 html_terms({{"certified decimal", code(ask.decimal)},
+                 html_terms({{"certified decimal", html_code(ask.decimal)},
                              {"closed form", closed},
                              {"reason", html_escape(ask.detail)}})) +
          "\n";

@@ -9,28 +9,6 @@
 namespace seam::report {
 namespace {
 
-std::string code(const std::string& text) {
-  return text.empty() ? "" : html_element("code", html_escape(text));
-}
-
-std::string joined(const std::vector<std::string>& parts) {
-  std::string result;
-  for (const std::string& part : parts)
-    if (!part.empty()) result += (result.empty() ? "" : ", ") + part;
-  return result;
-}
-
-std::string section(const char* id, const char* title, const std::string& content) {
-  return content.empty()
-             ? ""
-             : html_element("section id=\"" + std::string(id) + "\" aria-labelledby=\"" + id +
-                                "-title\"",
-                            "\n" +
-                                html_element("h2 id=\"" + std::string(id) + "-title\"", title) +
-                                "\n" + content) +
-                   "\n";
-}
-
 std::string tally_row(const std::string& title, const Summary& summary) {
   std::string cells = html_element("th scope=\"row\"", title);
   for (const int n : {summary.claims, summary.proven, summary.refuted, summary.conditional,
@@ -55,23 +33,6 @@ std::string prose(const std::string& latex) {
   return result;
 }
 
-std::string erratum(const ClaimRun& claim) {
-  const bool is_corrected = claim.corrected && claim.corrected->verdict == Verdict::proven;
-  std::string words = html_link(claim.id);
-  if (!claim.title.empty()) words += " " + html_escape(claim.title);
-  if (!claim.at.empty())
-    words += " " + html_element("span class=\"quiet\"", html_escape(claim.at));
-  return html_element(
-             "li",
-             html_element("p", words) +
-                 html_terms({{"printed", html_formula(claim.printed.latex)},
-                             {"should read", is_corrected ? html_formula(claim.corrected->latex)
-                                                          : code(claim.true_digits)},
-                             {"because", code(claim.printed.witness)}}) +
-                 html_note(claim.comments)) +
-         "\n";
-}
-
 }  // namespace
 
 std::string html_section_anchor(int number) {
@@ -79,8 +40,11 @@ std::string html_section_anchor(int number) {
 }
 
 std::string html_header(const FileRun& file, const Run& run) {
+  std::vector<std::string> libraries;
+  for (const std::string& library : run.libraries) libraries.push_back(html_escape(library));
   const std::string title = html_escape(file.paper.empty() ? file.file : file.paper);
-  const std::string whose = html_escape(joined({file.by, file.source, file.year}));
+  const std::string whose =
+      html_list({html_escape(file.by), html_escape(file.source), html_escape(file.year)});
   const std::string accepted =
       has_alarm(file)
           ? html_element("strong class=\"fails\"",
@@ -92,10 +56,10 @@ std::string html_header(const FileRun& file, const Run& run) {
                           html_element("h1", title) +
                           (whose.empty() ? "" : html_element("p", whose)) +
                           html_element("p", sentence(summarize(file)) + " " + accepted) +
-                          html_terms({{"claims", code(file.file)},
-                                      {"SHA-256", code(file.sha256)},
+                          html_terms({{"claims", html_code(file.file)},
+                                      {"SHA-256", html_code(file.sha256)},
                                       {"read by", html_escape(run.tool)},
-                                      {"with", html_escape(joined(run.libraries))}})) +
+                                      {"with", html_list(libraries)}})) +
          "\n";
 }
 
@@ -113,50 +77,13 @@ std::string html_summary(const FileRun& file) {
                       : html_element("a href=\"#" + html_section_anchor(tally.section) + "\"",
                                      html_escape(tally.title)),
                   tally.summary);
-  return section(
+  return html_section(
       "summary", "Summary",
       html_element("div class=\"wide\" tabindex=\"0\" role=\"group\" aria-label=\"summary\"",
                    html_element("table class=\"tally\"",
                                 html_element("thead", html_element("tr", head)) +
                                     html_element("tbody", rows) +
                                     html_element("tfoot", tally_row("all", summarize(file))))));
-}
-
-std::string html_errata(const FileRun& file) {
-  std::string list;
-  for (const ClaimRun* claim : claims(file))
-    if (claim->printed.verdict == Verdict::refuted) list += erratum(*claim);
-  return list.empty()
-             ? ""
-             : section("errata", "Errata",
-                       html_element("details", html_element("summary",
-                                                            "what is printed and refuted, and "
-                                                            "what should stand there") +
-                                                   html_element("ol class=\"errata\"", list)));
-}
-
-std::string html_assumptions(const FileRun& file) {
-  std::string parameters, resting;
-  for (const ItemRun& item : file.items)
-    if (const auto* definition = std::get_if<DefinitionRun>(&item);
-        definition && definition->is_parameter)
-      parameters += html_element("li", html_inline(definition->latex)) + "\n";
-  for (const ClaimRun* claim : claims(file)) {
-    if (claim->using_claims.empty()) continue;
-    std::vector<std::string> used;
-    for (const std::string& id : claim->using_claims) used.push_back(html_link(id));
-    resting += html_element("li", html_link(claim->id) + " rests on " + joined(used)) + "\n";
-  }
-  std::string content;
-  if (!parameters.empty())
-    content += html_element("p",
-                            "What is said of a parameter holds for every value that it may "
-                            "have:") +
-               html_element("ul", parameters);
-  if (!resting.empty())
-    content +=
-        html_element("p", "Claims that take others as known:") + html_element("ul", resting);
-  return section("assumptions", "Assumptions", content);
 }
 
 std::string html_glossary(const FileRun& file) {
@@ -174,8 +101,8 @@ std::string html_glossary(const FileRun& file) {
   for (const ClaimRun* claim : claims(file))
     used.insert(used.end(), claim->predicates.begin(), claim->predicates.end());
   for (const GlossaryEntry& entry : glossary(used))
-    add(code(entry.predicate), prose(entry.latex));
-  return section(
+    add(html_code(entry.predicate), prose(entry.latex));
+  return html_section(
       "glossary", "Glossary",
       html_element("dl class=\"terms\"", rows) +
           html_element(

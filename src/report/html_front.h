@@ -13,12 +13,6 @@ std::string html_header(const FileRun&, const Run&);
 /// The counts of each verdict, section by section.
 std::string html_summary(const FileRun&);
 
-/// What is printed and was refuted, beside what should stand there; nothing if there is none.
-std::string html_errata(const FileRun&);
-
-/// What the claims assume: parameters and their sets, and claims that rest on others.
-std::string html_assumptions(const FileRun&);
-
 /// The verdicts and the predicates that the claims use.
 std::string html_glossary(const FileRun&);
 

@@ -2,19 +2,18 @@
 #include "report/latex_claim.h"
 
 #include <algorithm>
-#include <regex>
 
 #include "report/escape.h"
 #include "report/latex_macro.h"
 #include "report/mathematics.h"
 #include "report/obligation_groups.h"
+#include "report/witness.h"
 
 namespace seam::report {
 namespace {
 
 constexpr std::size_t longest_obligation = 1500;  // bytes; beyond, the certificate has it
 constexpr std::size_t longest_line = 70;          // that stands beside its mark
-constexpr std::size_t longest_witness = 5000;     // beyond, it is shown as it is
 constexpr std::size_t most_evidence = 3;  // different lines of evidence shown for a group
 
 std::string evidence_of(const ObligationGroup& group) {
@@ -78,27 +77,13 @@ std::string latex_outcome(const Outcome& outcome,
   if (!outcome.alarm.empty())
     result += latex_call("SeamAlarm", {"The checker objects: " + escape(outcome.alarm)});
   if (!outcome.witness.empty())
-    result += latex_call("SeamLine", {"witness", latex_witness(outcome.witness)});
+    result += latex_call("SeamLine", {"witness", escape(readable_witness(outcome.witness))});
   const std::string reason = joined({escape(outcome.reason), escape(outcome.detail)}, ": ");
   if (!reason.empty()) result += latex_call("SeamLine", {"reason", reason});
   return result + latex_obligations(outcome.obligations) + latex_trace(outcome, using_claims);
 }
 
 }  // namespace
-
-std::string latex_witness(const std::string& witness) {
-  static const std::pair<std::regex, std::string> signs[] = {
-      {std::regex(" != "), " ≠ "},
-      {std::regex(" <= "), " ≤ "},
-      {std::regex(" >= "), " ≥ "},
-      {std::regex("sqrt\\((\\d+)\\)"), "√$1"},
-      {std::regex("\\*"), "·"}};
-  std::string result = witness;
-  if (result.size() <= longest_witness)
-    for (const auto& [spelled, sign] : signs)
-      result = std::regex_replace(result, spelled, sign);
-  return escape(result);
-}
 
 std::string latex_anchor(const ClaimRun& claim) {
   std::string anchor = "claim.";

@@ -11,9 +11,6 @@ namespace seam::report {
 /// it was turned into, and where its certificate lies.
 std::string latex_claim(const ClaimRun&);
 
-/// What refutes a claim, with the signs of mathematics.
-std::string latex_witness(const std::string& witness);
-
 /// The id of a claim, which leads to it.
 std::string latex_claim_link(const ClaimRun&);
 

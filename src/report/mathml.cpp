@@ -5,6 +5,8 @@
 
 #include "report/html_escape.h"
 #include "report/mathml_cursor.h"
+#include "report/mathml_row.h"
+#include "report/mathml_signs.h"
 #include "report/mathml_symbols.h"
 
 // Read from left to right, one function a construct. Every function that opens an element
@@ -16,24 +18,13 @@ namespace {
 
 constexpr int deepest = 150;
 
-std::string operation(std::string_view sign, const char* attributes = "") {
-  return html_element("mo" + std::string(attributes), html_escape(sign));
-}
-
-std::string word(std::string_view text, const char* variant) {
-  return html_element("mi" + std::string(variant), html_escape(text));
-}
-
 // One element, as the arguments of a script or a root must be.
 std::string single(const std::string& row) {
   return html_element("mrow", row);
 }
 
-struct Atom {
-  std::string xml;
-  bool limits = false;   // scripts stand below and above
-  bool may_end = false;  // a line may end behind it
-};
+using Atom = MathmlAtom;
+using Space = Atom::Space;
 
 std::string double_struck(const std::string& letter) {
   if (letter == "R") return "ℝ";
@@ -49,16 +40,14 @@ class Reader : MathmlCursor {
   explicit Reader(std::string_view latex) : MathmlCursor(latex) {}
 
   std::string pieces() {
-    std::string all, piece;
+    std::string all;
+    MathmlRow piece;
     while (!rest_.empty()) {
       const Atom atom = scripted();
-      piece += atom.xml;
-      if (atom.may_end && !rest_.empty()) {
-        all += html_element("math", piece) + "<wbr/>";
-        piece.clear();
-      }
+      piece.add(atom);
+      if (atom.may_end && !rest_.empty()) all += html_element("math", piece.take()) + "<wbr/>";
     }
-    return all + html_element("math", piece);
+    return all + html_element("math", piece.take());
   }
 
  private:
@@ -69,7 +58,7 @@ class Reader : MathmlCursor {
     for (;;) {
       skip_blanks();
       if (take("'"))
-        above += operation("′");
+        above += mathml_operator("′");
       else if (take("^"))
         above += argument();
       else if (take("_"))
@@ -84,21 +73,21 @@ class Reader : MathmlCursor {
     std::string xml = single(base.xml);
     if (!below.empty()) xml += single(below);
     if (!above.empty()) xml += single(above);
-    return {html_element(tag, xml)};
+    return {html_element(tag, xml), base.space};
   }
 
   // What stands up to a closing sign.
   std::string row(std::string_view close) {
     if (++depth_ > deepest) throw Unknown{};
-    std::string all;
+    MathmlRow all;
     skip_blanks();
     while (!take(close)) {
       if (rest_.empty()) throw Unknown{};
-      all += scripted().xml;
+      all.add(scripted());
       skip_blanks();
     }
     --depth_;
-    return all;
+    return all.take();
   }
 
   std::string argument() {
@@ -113,20 +102,10 @@ class Reader : MathmlCursor {
     const char c = rest_.front();
     if (is_digit(c)) return number();
     next();
-    if (is_letter(c)) return {word(std::string(1, c), "")};
+    if (is_letter(c)) return {mathml_identifier(std::string(1, c))};
     if (c == '\\') return command(name());
     if (c == '{') return {single(row("}"))};
-    if (c == '~') return {"<mspace width=\"0.3em\"/>"};
-    if (c == '-') return {operation("−")};
-    if (c == '(' || c == '[' || c == ')' || c == ']')
-      return {operation(std::string(1, c), " stretchy=\"false\"")};
-    if (c == ',') return {operation(","), false, false};
-    if (c == '=' || c == '<' || c == '>')
-      return {operation(std::string(1, c), " form=\"infix\""), false, true};
-    if (c == '.') return {operation(".", " lspace=\"0\" rspace=\"0\"")};
-    if (std::string_view("+/:;!?*|@`").find(c) != std::string_view::npos)
-      return {operation(std::string(1, c), c == '|' ? " stretchy=\"false\"" : "")};
-    throw Unknown{};
+    return known(mathml_sign(c));
   }
 
   Atom number() {
@@ -147,53 +126,29 @@ class Reader : MathmlCursor {
     }
     if (name == "binom" || name == "dbinom") {
       const std::string above = single(argument());
-      return {single(operation("(") +
+      return {single(mathml_operator("(") +
                      html_element("mfrac linethickness=\"0\"", above + single(argument())) +
-                     operation(")"))};
+                     mathml_operator(")"))};
     }
     if (name == "sqrt") return root();
     if (name == "left") return fenced();
     if (name == "begin") return environment();
     if (name == "text" || name == "textrm") return {html_element("mtext", html_escape(text()))};
-    if (name == "operatorname") return {word(letters(), " mathvariant=\"normal\"")};
-    if (name == "mathrm") return {word(letters(), " mathvariant=\"normal\"")};
-    if (name == "mathit") return {word(letters(), " class=\"word\"")};
+    if (name == "operatorname")
+      return {mathml_identifier(letters(), " mathvariant=\"normal\""), Space::function};
+    if (name == "mathrm") return {mathml_identifier(letters(), " mathvariant=\"normal\"")};
+    if (name == "mathit") return {mathml_identifier(letters(), " class=\"word\"")};
     if (name == "mathbf") return {html_element("mrow class=\"bold\"", argument())};
-    if (name == "mathbb") return {word(double_struck(letters()), "")};
+    if (name == "mathbb") return {mathml_identifier(double_struck(letters()), "")};
     if (const std::string_view sign = accent(name); !sign.empty())
-      return {html_element("mover accent=\"true\"", single(argument()) + operation(sign))};
-    return sign(symbol(name));
+      return {
+          html_element("mover accent=\"true\"", single(argument()) + mathml_operator(sign))};
+    return known(mathml_command(name));
   }
 
-  static Atom sign(const Symbol& found) {
-    switch (found.kind) {
-      case Symbol::Kind::identifier:
-        return {word(found.text, "")};
-      case Symbol::Kind::function:
-        return {word(found.text, " mathvariant=\"normal\"")};
-      case Symbol::Kind::limits:
-        return {found.text.size() == 3 && !is_letter(found.text[0])
-                    ? operation(found.text, " movablelimits=\"false\"")
-                    : word(found.text, " mathvariant=\"normal\""),
-                true};
-      case Symbol::Kind::operation:
-        return {operation(found.text)};
-      case Symbol::Kind::breaking:
-        return {operation(found.text, " form=\"infix\""), false, true};
-      case Symbol::Kind::fence:
-        return {operation(found.text, " stretchy=\"false\"")};
-      case Symbol::Kind::punctuation:
-        return {operation(found.text)};
-      case Symbol::Kind::blank:
-        return {"<mspace width=\"" + std::string(found.text) + "\"/>"};
-      case Symbol::Kind::nothing:
-        return {};
-      case Symbol::Kind::may_end:
-        return {"", false, true};
-      case Symbol::Kind::none:
-        break;
-    }
-    throw Unknown{};
+  static Atom known(const std::optional<Atom>& atom) {
+    if (!atom) throw Unknown{};
+    return *atom;
   }
 
   Atom root() {
@@ -208,17 +163,19 @@ class Reader : MathmlCursor {
     const char c = next();
     if (c == '.') return "";
     if (std::string_view("()[]|/").find(c) != std::string_view::npos)
-      return operation(std::string(1, c), " stretchy=\"true\" fence=\"true\"");
+      return mathml_operator(std::string(1, c), " stretchy=\"true\" fence=\"true\"");
     if (c != '\\') throw Unknown{};
     const Symbol found = symbol(name());
-    if (found.kind != Symbol::Kind::fence) throw Unknown{};
-    return operation(found.text, " stretchy=\"true\" fence=\"true\"");
+    if (found.kind != Symbol::Kind::fence && found.kind != Symbol::Kind::open &&
+        found.kind != Symbol::Kind::close)
+      throw Unknown{};
+    return mathml_operator(found.text, " stretchy=\"true\" fence=\"true\"");
   }
 
   Atom fenced() {
     const std::string open = fence();
-    const std::string inside = row("\\right");
-    return {single(open + inside + fence())};
+    const std::string inside = single(row("\\right"));
+    return {single(open + inside + fence()), Space::open};
   }
 
   Atom environment() {
@@ -239,21 +196,22 @@ class Reader : MathmlCursor {
     const std::string table =
         html_element(left ? "mtable class=\"left\"" : "mtable", rows("\\end{" + kind + "}"));
     const auto between = [&](const char* open, const char* close) {
-      return Atom{single(operation(open) + table + operation(close))};
+      return Atom{single(mathml_operator(open) + table + mathml_operator(close))};
     };
     if (kind == "pmatrix") return between("(", ")");
     if (kind == "bmatrix") return between("[", "]");
     if (kind == "vmatrix") return between("|", "|");
-    if (kind == "cases") return {single(operation("{") + table)};
+    if (kind == "cases") return {single(mathml_operator("{") + table)};
     return {table};
   }
 
   std::string rows(const std::string& end) {
     if (++depth_ > deepest) throw Unknown{};
-    std::string all, cells, cell;
+    std::string all, cells;
+    MathmlRow cell;
     const auto end_cell = [&] {
-      cells += html_element("mtd", cell);
-      cell.clear();
+      cells += html_element("mtd", cell.take());
+      cell = {};
     };
     for (;;) {
       skip_blanks();
@@ -268,7 +226,7 @@ class Reader : MathmlCursor {
       } else if (rest_.empty()) {
         throw Unknown{};
       } else {
-        cell += scripted().xml;
+        cell.add(scripted());
       }
     }
     --depth_;

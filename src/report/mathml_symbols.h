@@ -11,11 +11,15 @@ struct Symbol {
   enum class Kind {
     none,        ///< not a command that is known
     identifier,  ///< a letter
+    upright,     ///< an upright letter or sign
     function,    ///< an upright name: `sin`
+    sign,        ///< between two operands, or in front of one: `±`
     limits,      ///< an upright name or a large sign with what stands below and above it: `max`
     operation,   ///< an operator or a relation with blanks around it
     breaking,    ///< such a one behind which a line may end
-    fence,       ///< opens or closes
+    open,
+    close,
+    fence,  ///< opens or closes
     punctuation,
     blank,    ///< text: its width in CSS
     nothing,  ///< not seen: `\displaystyle`

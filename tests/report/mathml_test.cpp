@@ -20,6 +20,23 @@ TEST(MathML, letters_numbers_and_operators_are_told_apart) {
   EXPECT_EQ(of("\\gamma"), "<math><mi>γ</mi></math>");
 }
 
+TEST(MathML, a_sign_in_front_of_a_number_is_told_from_one_between_two) {
+  const std::string prefix = "<mo form=\"prefix\">−</mo>";
+  EXPECT_NE(of("(-2,x)").find(prefix), std::string::npos);
+  EXPECT_NE(of("(0,-2)").find(prefix), std::string::npos);
+  EXPECT_NE(of("a\\le-2").find("<math><mo>−</mo>"), std::string::npos);
+  EXPECT_NE(of("\\left(-2\\right)").find("<mrow><mo>−</mo>"), std::string::npos);
+  EXPECT_EQ(of("(a)-b").find("prefix"), std::string::npos);
+  EXPECT_NE(of("a\\allowbreak-b").find("<math><mo form=\"infix\">−</mo>"), std::string::npos);
+}
+
+TEST(MathML, the_name_of_a_function_stands_apart_from_what_it_is_multiplied_with) {
+  const std::string thin = "<mspace width=\"0.17em\"/>";
+  EXPECT_NE(of("3\\operatorname{f}(x)").find("<mn>3</mn>" + thin), std::string::npos);
+  EXPECT_NE(of("\\sin x").find("</mi>" + thin + "<mi>x"), std::string::npos);
+  EXPECT_EQ(of("\\sin(x)").find(thin), std::string::npos);
+}
+
 TEST(MathML, scripts_belong_to_what_stands_in_front_of_them) {
   EXPECT_EQ(of("{x}^{2}"),
             "<math><msup><mrow><mrow><mi>x</mi></mrow></mrow><mrow><mn>2</mn>"
