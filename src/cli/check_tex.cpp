@@ -206,6 +206,8 @@ class Checking {
 int check_tex(const std::string& paper, const std::vector<std::string>& files,
               const VerifyOptions& options) {
   const Paper read = read_paper(paper);
+  if (read.mentions.empty() && read.errors.empty())
+    std::cerr << paper << " has no \\spval and no \\spstatus\n";
   return Checking(seam_files(files), options).run(read);
 }
 
