@@ -16,7 +16,7 @@ std::string html_summary(const FileRun&);
 /// The verdicts and the predicates that the claims use.
 std::string html_glossary(const FileRun&);
 
-/// `§6 The Icosoid`: where the heading of a section stands, the n-th of the file.
+/// `§6 Smooth Surfaces`: where the heading of a section stands, the n-th of the file.
 std::string html_section_anchor(int number);
 
 }  // namespace seam::report

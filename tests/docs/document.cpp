@@ -25,7 +25,7 @@
 #include <string>
 #include <vector>
 
-#include "../cli/process.h"
+#include "cli/process.h"
 
 namespace {
 
