@@ -271,7 +271,7 @@ TEST(Parse, the_examples_of_the_reference_are_read) {
       example += line + "\n";
     }
   }
-  EXPECT_EQ(examples, 9);
+  EXPECT_EQ(examples, 10);
 }
 
 TEST(Parse, line_ends_marks_and_a_missing_end_make_no_difference) {
