@@ -75,6 +75,12 @@ void add_verify(CLI::App& app, Arguments& to) {
       ->type_name("DIR");
   command->add_option("--json", to.outputs.json, "the results as JSON; - for standard output")
       ->type_name("FILE");
+  command->add_option("--junit", to.outputs.junit, "the results as JUnit XML")
+      ->type_name("FILE");
+  command->add_option("--sarif", to.outputs.sarif, "what is not as expected, as SARIF 2.1.0")
+      ->type_name("FILE");
+  command->add_flag("--github", to.outputs.github,
+                    "workflow commands and a summary for GitHub Actions");
   command->add_flag("--pdf", to.outputs.pdf, "typeset the report (needs --out and pdflatex)");
   command->add_flag("--html", to.outputs.html, "the report as a page, too (needs --out)");
   command->add_flag("--fragments", to.outputs.fragments,

@@ -72,7 +72,7 @@ std::vector<fs::path> seam_files(const std::vector<std::string>& arguments) {
 
 claims::File parsed(const fs::path& path) {
   claims::Parsed result = claims::parse(open(path));
-  if (!result.errors.empty()) throw Failure{bad_file, rendered(result.errors)};
+  if (!result.errors.empty()) throw Failure{bad_file, rendered(result.errors), result.errors};
   return std::move(result.file);
 }
 
@@ -85,7 +85,7 @@ claims::Meaning meant(const fs::path& path) {
   std::ranges::stable_sort(result.errors, [](const auto& a, const auto& b) {
     return a.where.begin < b.where.begin;
   });
-  if (!result.errors.empty()) throw Failure{bad_file, rendered(result.errors)};
+  if (!result.errors.empty()) throw Failure{bad_file, rendered(result.errors), result.errors};
   return meaning;
 }
 

@@ -27,6 +27,7 @@ enum Exit {
 struct Failure {
   int status;
   std::string message;
+  std::vector<text::Diagnostic> errors = {};  ///< of a file: what `message` says, one by one
 };
 
 /// The file's bytes under the name it was asked for. Throws `Failure` (66) if it cannot be

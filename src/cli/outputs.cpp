@@ -1,18 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/outputs.h"
 
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+
 #include "certificate/json.h"
 #include "check/library.h"
 #include "cli/files.h"
 #include "report/figure.h"
 #include "report/file.h"
 #include "report/fragments.h"
+#include "report/github.h"
 #include "report/gltf.h"
 #include "report/html.h"
 #include "report/json.h"
+#include "report/junit.h"
 #include "report/latex.h"
 #include "report/pdf.h"
+#include "report/sarif.h"
 #include "report/svg.h"
+#include "report/terminal.h"
 #include "symbolic/libraries.h"
 
 namespace seam::cli {
@@ -49,6 +60,22 @@ void write_figures(const fs::path& folder, const report::FileRun& run, bool pdf)
 
 }  // namespace
 
+namespace {
+
+report::Colour colour_of(const std::string& word) {
+  if (word == "always") return report::Colour::always;
+  return word == "never" ? report::Colour::never : report::Colour::automatic;
+}
+
+// What was there before is another step's.
+void append(const fs::path& path, const std::string& bytes) {
+  std::ofstream file(path, std::ios::binary | std::ios::app);
+  if (!(file << bytes << std::flush))
+    throw Failure{io_error, "cannot write '" + path.string() + "'\n"};
+}
+
+}  // namespace
+
 void write_folder(const fs::path& folder, const Verified& verified, const Outputs& outputs) {
   const report::Run run{tool_name(), {verified.run}, libraries()};
   for (const auto& [name, certificate] : verified.certificates)
@@ -61,6 +88,45 @@ void write_folder(const fs::path& folder, const Verified& verified, const Output
       write(folder / "fragments" / name, bytes);
   write_figures(folder / "figures", verified.run, outputs.pdf);
   if (outputs.pdf) check(report::typeset(folder / "report.tex"));
+}
+
+report::FileRun unread(const fs::path& file, const Failure& failure) {
+  report::FileRun run;
+  run.file = file.filename().string();
+  run.path = file.string();
+  for (const text::Diagnostic& error : failure.errors) {
+    const text::Position place = text::position(*error.where.source, error.where.begin);
+    const std::string& name = error.where.source->name;
+    run.errors.push_back(
+        {error.message, error.hint, place.line, place.column, name == run.path ? "" : name});
+  }
+  if (run.errors.empty()) run.errors.push_back({failure.message, "", 0, 0});
+  return run;
+}
+
+void write_run(const report::Run& run, const Outputs& outputs) {
+  const bool allow = outputs.allow_undecided;
+  const bool to_stdout = outputs.json == "-" || outputs.junit == "-" || outputs.sarif == "-";
+  const auto put = [](const std::string& where, const std::string& bytes) {
+    if (where == "-")
+      std::cout << bytes;
+    else
+      write(where, bytes);
+  };
+  if (!outputs.json.empty()) put(outputs.json, report::json(run));
+  if (!outputs.junit.empty()) put(outputs.junit, report::junit(run, allow));
+  if (!outputs.sarif.empty()) put(outputs.sarif, report::sarif(run, allow));
+  const bool is_read = std::ranges::any_of(
+      run.files, [](const report::FileRun& file) { return file.errors.empty(); });
+  if (!to_stdout && !outputs.quiet && is_read) {
+    const bool colour = report::wants_colour(
+        colour_of(outputs.colour), isatty(STDOUT_FILENO) != 0, std::getenv("NO_COLOR"));
+    std::cout << report::terminal(run, colour);
+  }
+  if (!outputs.github) return;
+  (to_stdout ? std::cerr : std::cout) << report::github_annotations(run, allow);
+  if (const char* summary = std::getenv("GITHUB_STEP_SUMMARY"); summary && *summary)
+    append(summary, report::github_summary(run));
 }
 
 }  // namespace seam::cli

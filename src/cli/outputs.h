@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/files.h"
 #include "cli/verify.h"
 
 namespace seam::cli {
@@ -13,6 +14,8 @@ namespace seam::cli {
 struct Outputs {
   std::string out;   ///< a folder for report.tex, results.json, certificates/; empty: none
   std::string json;  ///< a file, `-` for standard output; empty: none
+  std::string junit, sarif;  ///< likewise
+  bool github = false;       ///< workflow commands and the summary of a job
   bool pdf = false;
   bool html = false;
   bool fragments = false;
@@ -30,6 +33,12 @@ std::vector<std::string> libraries();
 
 /// The whole file or none of it. Throws `Failure` (74).
 void write(const std::filesystem::path&, const std::string& bytes);
+
+/// A file that could not be read, as a run that says so.
+report::FileRun unread(const std::filesystem::path&, const Failure&);
+
+/// What people and CI systems read, where `Outputs` says.
+void write_run(const report::Run&, const Outputs&);
 
 /// The folder of one verified file: its certificates, results.json and the report.
 void write_folder(const std::filesystem::path& folder, const Verified&, const Outputs&);

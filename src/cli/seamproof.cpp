@@ -33,6 +33,8 @@ int run(int argc, char** argv) {
                                           {"--fragments", outputs.fragments}})
     if (is_wanted && outputs.out.empty())
       throw Failure{usage, std::string(option) + " needs --out\n"};
+  if ((outputs.json == "-") + (outputs.junit == "-") + (outputs.sarif == "-") > 1)
+    throw Failure{usage, "only one of --json, --junit and --sarif can go to standard output\n"};
   return arguments.command();
 }
 

@@ -277,6 +277,7 @@ Verified verify(const std::filesystem::path& file, const VerifyOptions& options,
   Assembly assembly(tasks, meaning, file.string());
   Verified result;
   result.run.file = file.filename().string();
+  result.run.path = file.string();
   result.run.paper = meaning.paper;
   result.run.by = meaning.by;
   result.run.source = meaning.source;

@@ -1,38 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <unistd.h>
-
 #include <algorithm>
-#include <cstdlib>
 #include <iostream>
 
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "cli/progress.h"
-#include "report/json.h"
-#include "report/terminal.h"
 
 namespace seam::cli {
 namespace fs = std::filesystem;
-namespace {
-
-report::Colour colour_of(const std::string& word) {
-  if (word == "always") return report::Colour::always;
-  return word == "never" ? report::Colour::never : report::Colour::automatic;
-}
-
-}  // namespace
 
 int verify_files(const std::vector<std::string>& arguments, const VerifyOptions& options,
                  const Outputs& outputs) {
   const std::vector<fs::path> files = seam_files(arguments);
-  const bool colour = report::wants_colour(colour_of(outputs.colour),
-                                           isatty(STDOUT_FILENO) != 0, std::getenv("NO_COLOR"));
   report::Run run{tool_name(), {}, libraries()};
   for (const fs::path& file : files) {
     ProgressLine progress(outputs.quiet);
-    Verified verified = verify(file, options, [&](int done, int all, const std::string& id) {
+    const auto tell = [&](int done, int all, const std::string& id) {
       progress(done, all, id);
-    });
+    };
+    Verified verified;
+    try {
+      verified = verify(file, options, tell);
+    } catch (const Failure& failure) {
+      run.files.push_back(unread(file, failure));
+      write_run(run, outputs);
+      throw;
+    }
     if (!outputs.out.empty()) {
       const fs::path folder =
           files.size() == 1 ? fs::path(outputs.out) : fs::path(outputs.out) / file.stem();
@@ -43,12 +36,7 @@ int verify_files(const std::vector<std::string>& arguments, const VerifyOptions&
   const bool nothing =
       std::ranges::all_of(run.files, [](const auto& f) { return report::claims(f).empty(); });
   if (nothing && !options.claims.empty()) throw Failure{usage, "no claim has such an id\n"};
-  if (!outputs.json.empty() && outputs.json != "-") write(outputs.json, report::json(run));
-  if (outputs.json == "-") {
-    std::cout << report::json(run);
-  } else if (!outputs.quiet) {
-    std::cout << report::terminal(run, colour);
-  }
+  write_run(run, outputs);
   for (const auto& file : run.files)
     for (const report::ClaimRun* claim : report::claims(file))
       for (const report::Outcome* outcome :

@@ -31,18 +31,26 @@ bool decided(const Outcome& outcome) {
   return outcome.verdict == Verdict::proven || outcome.verdict == Verdict::refuted;
 }
 
-// The status of one claim alone; of several, the more urgent counts.
-int status(const ClaimRun& claim, bool allow_undecided) {
-  if (!claim.printed.alarm.empty() || (claim.corrected && !claim.corrected->alarm.empty()))
-    return 3;
-  if (as_expected(claim)) return 0;
-  if (decided(claim.printed) && claim.printed.verdict != claim.expected) return 1;
-  if (claim.corrected && claim.corrected->verdict == Verdict::refuted) return 1;
-  return allow_undecided ? 0 : 2;
+int status(Concern concern, bool allow_undecided) {
+  switch (concern) {
+    case Concern::none:
+      return 0;
+    case Concern::undecided:
+      return allow_undecided ? 0 : 2;
+    case Concern::contradiction:
+      return 1;
+    case Concern::alarm:
+      break;
+  }
+  return 3;
 }
 
-int urgency(int status) {
-  return status == 3 ? 3 : status == 1 ? 2 : status == 2 ? 1 : 0;
+std::string in_short(const Outcome& outcome) {
+  std::string text = word(outcome.verdict);
+  for (const std::string& more :
+       {outcome.alarm, outcome.witness, outcome.reason, outcome.detail})
+    if (!more.empty()) text += "; " + more;
+  return text;
 }
 
 }  // namespace
@@ -75,13 +83,35 @@ Summary summarize(const Run& run) {
   return summary;
 }
 
+std::string path_of(const FileRun& file, const std::string& included) {
+  const std::string& own = file.path.empty() ? file.file : file.path;
+  return included.empty() ? own : own.substr(0, own.rfind('/') + 1) + included;
+}
+
+Concern concern(const ClaimRun& claim) {
+  if (!claim.printed.alarm.empty() || (claim.corrected && !claim.corrected->alarm.empty()))
+    return Concern::alarm;
+  if (as_expected(claim)) return Concern::none;
+  if (decided(claim.printed) && claim.printed.verdict != claim.expected)
+    return Concern::contradiction;
+  if (claim.corrected && claim.corrected->verdict == Verdict::refuted)
+    return Concern::contradiction;
+  return Concern::undecided;
+}
+
+std::string in_short(const ClaimRun& claim) {
+  std::string text = in_short(claim.printed);
+  if (claim.printed.verdict != claim.expected)
+    text += std::string(" (expected: ") + word(claim.expected) + ")";
+  if (claim.corrected) text += "; corrected: " + in_short(*claim.corrected);
+  return text;
+}
+
 int exit_status(const Run& run, bool allow_undecided) {
-  int worst = 0;
+  Concern worst = Concern::none;
   for (const FileRun& file : run.files)
-    for (const ClaimRun* claim : claims(file))
-      worst = std::max(worst, status(*claim, allow_undecided),
-                       [](int a, int b) { return urgency(a) < urgency(b); });
-  return worst;
+    for (const ClaimRun* claim : claims(file)) worst = std::max(worst, concern(*claim));
+  return status(worst, allow_undecided);
 }
 
 const char* word(Verdict verdict) {

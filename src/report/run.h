@@ -125,11 +125,20 @@ struct AskRun {
 
 using ItemRun = std::variant<SectionRun, DefinitionRun, ClaimRun, TableRun, FigureRun, AskRun>;
 
+/// An error in a file, for which nothing of it could be decided.
+struct ErrorRun {
+  std::string message, hint;
+  int line = 0, column = 0;
+  std::string included = {};  ///< the file it stands in, if that is not the run's
+};
+
 struct FileRun {
   std::string file;  ///< its name without folders
   std::string paper, by, source, year;
   std::string sha256;          ///< of its bytes
   std::vector<ItemRun> items;  ///< in file order
+  std::string path = {};       ///< as it was asked for; in no file that is made to be kept
+  std::vector<ErrorRun> errors = {};
 };
 
 struct Run {
@@ -150,6 +159,23 @@ bool as_expected(const ClaimRun&);
 
 Summary summarize(const FileRun&);
 Summary summarize(const Run&);
+
+/// The path of the file in which something stands: the run's own, as it was asked for, or one
+/// included from its folder.
+std::string path_of(const FileRun&, const std::string& included);
+
+/// What a claim or its correction asks of the reader.
+enum class Concern {
+  none,           ///< all is as expected
+  undecided,      ///< undecided, or only conditional, against expectation
+  contradiction,  ///< decided against expectation
+  alarm           ///< the checker objected to the evidence
+};
+Concern concern(const ClaimRun&);
+
+/// `refuted, expected: proven; u = 0: 1 != 0`: what came of it in a line, with the witness or
+/// the reason, and the correction where that is what is not as expected.
+std::string in_short(const ClaimRun&);
 
 /// The exit status of docs/command-line.md: 3 if the checker objected to any evidence, else 1
 /// if a decided claim is not as expected, else 2 if an undecided or conditional one is not (0
