@@ -37,8 +37,8 @@ def holds(content):
     whole(euler, -10 ** 9)
     patches = [[tuple(whole(c, 0, len(patch)) for c in listed(side, 2)) for side in listed(patch)]
                for patch in listed(patches)]
-    if not all(map(is_polygon, patches)):
-        raise Refused("a patch that is no polygon")
+    if not patches or not all(map(is_polygon, patches)):
+        raise Refused("no patch, or one that is no polygon")
     free = {(p, s) for p, patch in enumerate(patches) for s in range(len(patch))}
     corners = Parts((p, c) for p, patch in enumerate(patches) for c in range(len(patch)))
     whole_patches = Parts(range(len(patches)))

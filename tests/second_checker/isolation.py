@@ -16,11 +16,14 @@ from tower import Open, Refused
 
 class Box:
     def __init__(self, program, unknowns, value):
-        self.low, self.high = ([rational(x) for x in listed(ends, len(unknowns))] for ends in members(value, "low", "high"))
+        low, high = members(value, "low", "high")
+        self.low, self.high = ([rational(x) for x in listed(ends, len(unknowns))] for ends in (low, high))
         if any(a >= b for a, b in zip(self.low, self.high)):
             raise Refused("an empty box")
-        self.segments = [Simplex(program, [x], [[ONE, Polynomial.constant(a)], [ONE, Polynomial.constant(b)]], [False, False])
-                         for x, a, b in zip(unknowns, self.low, self.high)]
+        self.segments = []
+        for x, a, b in zip(unknowns, self.low, self.high):
+            corners = [[ONE, Polynomial.constant(a)], [ONE, Polynomial.constant(b)]]
+            self.segments.append(Simplex(program, [x], corners, [False, False]))
 
     def corners(self, unknowns):
         for ends in product(*zip(self.low, self.high)):

@@ -2,6 +2,14 @@
 """Judges certificates by docs/certificates.md alone: usage: judge.py CERTIFICATE...
 
 Each obligation holds, fails, or is open; or this checker does not know its kind, or finds it too big: not judged.
+
+    reading       the text, rationals, digests       domain        simplices, conditions
+    polynomial    polynomials in symbols             pieces        trees of splits
+    enclosure     intervals                          reductions    proofs of a sign by others
+    elementary    exp, log, sin, cos, pi             points        witnesses
+    tower         numbers: normal forms, signs       solutions, elimination, isolation     systems of equations
+    program       nodes, generators, functions       gluing, mesh, convex                  what is counted
+    obligations   what shows which obligation
 """
 import sys
 from collections import Counter
@@ -12,7 +20,7 @@ from program import Program
 from reading import Malformed, certificate, digest, listed, need, only_member, whole
 from tower import Open, Refused
 
-EFFORT = 20_000_000
+EFFORT = 10_000_000
 HOLDS, FAILS, OPEN, NOT_JUDGED = "holds", "fails", "open", "not judged"
 VALUE = {True: HOLDS, False: FAILS, None: OPEN}
 
@@ -92,7 +100,9 @@ def main(paths):
                 continue
         statement = digest(judgement.certificate["statement"])
         counts = ", ".join(f"{n} {value}" for value, n in sorted(Counter(judgement.values).items()))
-        print(f"{path}: {judgement.verdict} {statement} ({counts})", *(f"\n  {n} × {why}" for why, n in judgement.why.items()))
+        print(f"{path}: {judgement.verdict} {statement} ({counts})")
+        for why, n in judgement.why.items():
+            print(f"  {n} times {why}")
         worst = max(worst, judgement.agrees() is False)
     return worst
 

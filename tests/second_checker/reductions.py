@@ -4,12 +4,13 @@ from domain import Simplex
 from pieces import Piece, shown
 from polynomial import NotJudged, Polynomial
 from program import RELATIONS, relation_holds
-from reading import listed, members, need, only_member, whole
+from reading import listed, members, need, whole
 from tower import Open, Refused
 
 ONE, ZERO = Polynomial.constant(1), Polynomial()
 DIRECTION = {">": 1, ">=": 1, "=": 0, "!=": 0, "<=": -1, "<": -1}
 EXCLUDE_ZERO = (">", "!=", "<")
+KINDS = ("multiplier", "conjugate", "both", "cases", "condition", "factors", "excluded", "squares", "combination")
 DEEPEST = 60
 
 
@@ -90,12 +91,12 @@ class Step:
 
     def shown_by(self, proof):
         if proof == "computation":
-            return self.program.is_number(self.formula) and relation_holds(self.program.sign(self.formula), self.relation)
+            known = self.program.is_number(self.formula)
+            return known and relation_holds(self.program.sign(self.formula), self.relation)
         need(isinstance(proof, dict) and proof, "no proof")
         if "pieces" in proof:
             return self.pieces(members(proof, "pieces")[0])
-        kind = next((k for k in ("multiplier", "conjugate", "both", "condition", "factors", "excluded", "squares",
-                                 "combination") if k in proof), "cases" if "above" in proof else None)
+        kind = next((k for k in KINDS if k in proof), None)
         if kind is None:
             raise NotJudged("a reduction: " + next(iter(proof)))
         return getattr(self, kind)(proof)

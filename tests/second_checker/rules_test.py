@@ -114,9 +114,10 @@ class Rules(unittest.TestCase):
         self.open(X, "<", [], same, where=[(X, ">")])
         self.proven(X, "!=", [], same, where=[(X, "<")])
         plain = pieces("plain")
-        self.proven(X, ">=", [UNIT], {"combination": [0], "cofactors": [ONE], "parts": ["computation", plain]}, where=[(X, ">=")])
-        self.open(X, ">=", [UNIT], {"combination": [0], "cofactors": [ONE], "parts": ["computation"]}, where=[(X, ">=")])
-        self.open(X, ">=", [UNIT], {"combination": [0], "cofactors": [ONE], "parts": ["computation", plain]}, where=[(X, "<=")])
+        once = {"combination": [0], "cofactors": [ONE], "parts": ["computation", plain]}
+        self.proven(X, ">=", [UNIT], once, where=[(X, ">=")])
+        self.open(X, ">=", [UNIT], {**once, "parts": ["computation"]}, where=[(X, ">=")])
+        self.open(X, ">=", [UNIT], once, where=[(X, "<=")])
 
     def test_solutions_are_all_and_no_others(self):
         def of(solutions, **evidence):
@@ -133,8 +134,9 @@ class Rules(unittest.TestCase):
 
     def test_goals_have_three_values(self):
         false, true = {"sign": {"formula": LESS_ONE, "relation": ">", "factors": [], "where": []}}, {"zero": ZERO}
+        either, both = {"any": [0, {"not": 0}]}, {"all": [0, {"suffices": 0}]}
         for goal, expected in (({"all": []}, "proven"), ({"any": []}, "refuted"), ({"suffices": 0}, "undecided"),
-                               ({"not": 0}, "proven"), ({"any": [0, {"not": 0}]}, "proven"), ({"all": [0, {"suffices": 0}]}, "refuted")):
+                               ({"not": 0}, "proven"), (either, "proven"), (both, "refuted")):
             self.assertEqual(verdict(false, "computation", goal=goal), expected)
         self.assertEqual(verdict(false, "computation", goal={"all": []}, guards=[0]), "undecided")
         self.assertEqual(verdict(true, {"nothing": {"reason": "none", "detail": ""}}), "undecided")

@@ -111,8 +111,8 @@ class Obligation:
         lows = [[one, Polynomial.constant(low)] for low, _ in self.intervals]
         highs = [[one, Polynomial.constant(high)] for _, high in self.intervals]
         first, last, open_first, open_last = LEAST, GREATEST, False, False
-        if len(self.line) == 1:
-            (first, last), (open_last, open_first) = self.line[0].corners, self.line[0].open  # a facet is opposite to its corner
+        if len(self.line) == 1:  # a facet is opposite to its corner
+            (first, last), (open_last, open_first) = self.line[0].corners, self.line[0].open
             if self.line[0].orientation < 0:
                 first, last, open_first, open_last = last, first, open_last, open_first
         starts, ends = [first] + highs, lows + [last]

@@ -58,8 +58,7 @@ class Tampered(unittest.TestCase):
     def test_a_goal_that_is_flipped_has_the_opposite_verdict(self):
         def change(c):
             c["statement"]["goal"] = {"not": c["statement"]["goal"]}
-        self.each(certificates("spline-surfaces", lambda c: c["verdict"] == "proven" and c["statement"]["goal"] != {"all": []}),
-                  change)
+        self.each(certificates("spline-surfaces", lambda c: c["verdict"] == "proven"), change)
 
     def test_a_tree_without_its_last_leaf_shows_nothing(self):
         def change(c):
@@ -80,8 +79,7 @@ class Tampered(unittest.TestCase):
             for proof in c["evidence"]["proofs"]:
                 if isinstance(proof, dict) and "pieces" in proof:
                     proof["pieces"]["steps"][-1] = "plainly"
-        self.assertFalse(any(agrees(copy.deepcopy(c)) for c in map(lambda c: (change(c), c)[1],
-                             certificates("platonic-spheroids", has_split))))
+        self.each(certificates("platonic-spheroids", has_split), change)
 
     def test_the_evidence_of_another_claim_shows_nothing(self):
         several = certificates("sphere-approximation", has_proof("roots"), 4)
