@@ -41,6 +41,13 @@ std::string uri(const std::string& path) {
   return text;
 }
 
+// In a message `[text](target)` is a link, which no text of a file shall make.
+std::string without_links(std::string text) {
+  for (std::size_t at = text.find("]("); at != std::string::npos; at = text.find("](", at + 2))
+    text.insert(at, "\\");
+  return text;
+}
+
 Json location(const std::string& path, int line, int column) {
   Json result;
   result["physicalLocation"]["artifactLocation"]["uri"] = uri(path);
@@ -56,7 +63,7 @@ Json result_of(std::size_t rule, const std::string& message, Json where) {
   result["ruleIndex"] = rule;
   result["kind"] = "fail";
   result["level"] = rules[rule].level;
-  result["message"]["text"] = message;
+  result["message"]["text"] = without_links(message);
   result["locations"] = Json::array({std::move(where)});
   return result;
 }

@@ -72,6 +72,25 @@ good Passed
 good.sum Passed
 END
 
+# What rarely happens: a result by itself, with what a test says of it although undecided claims are allowed.
+judge() { # EXPECTED MEMBERS
+  mkdir -p "$work/judged"
+  echo "{\"files\": [{\"claims\": [{\"id\": \"a\", $2}]}]}" > "$work/judged/results.json"
+  status=0
+  cmake -D STEP=judge -D ID=a -D INDEX="${3-0}" -D ALLOW_UNDECIDED=TRUE -D FOLDER="$work/judged" -P "$module" \
+    > "$work/said" 2>&1 || status=$?
+  [ "$status" = "$1" ] || { echo "$2: $status"; cat "$work/said"; exit 1; }
+}
+proven='"verdict": "proven", "expected": "proven", "as_expected": true'
+judge 0 "$proven, \"corrected\": null, \"reason\": null"
+judge 1 "$proven, \"alarm\": \"a sign; is [wrong\""
+says 'alarm: a sign; is [wrong'
+judge 1 "$proven, \"corrected_alarm\": \"0\""
+judge 1 "$proven" 1
+judge 0 '"verdict": "conditional", "expected": "proven", "as_expected": false'
+judge 0 '"verdict": "refuted", "expected": "refuted", "as_expected": false, "corrected": "undecided"'
+judge 1 '"verdict": "undecided", "expected": "refuted", "as_expected": false, "corrected": "refuted"'
+
 # Mistakes in the project are said when it is configured.
 refused() {
   printf '%s\n' 'cmake_minimum_required(VERSION 3.25)' 'project(proofs LANGUAGES NONE)' "include($module)" "$1" \

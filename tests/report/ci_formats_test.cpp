@@ -107,6 +107,14 @@ TEST(CiFormats, no_text_begins_a_command_or_ends_one) {
   EXPECT_TRUE(holds(lines, "a%0A::error::b%0D%250A")) << lines;
 }
 
+TEST(CiFormats, no_text_is_a_link_in_a_message_of_sarif) {
+  ClaimRun hostile = claim("x", Verdict::refuted);
+  hostile.title = "[see](https://example.org) [here](1)";
+  const auto log = nlohmann::json::parse(sarif(run_of({hostile}), false));
+  const std::string text = log["runs"][0]["results"][0]["message"]["text"];
+  EXPECT_TRUE(holds(text, R"([see\](https://example.org) [here\](1))")) << text;
+}
+
 // The sample holds hostile text.
 TEST(CiFormats, hostile_text_stays_text) {
   EXPECT_EQ(not_well_formed(github_summary(sample())), "");
