@@ -13,8 +13,8 @@
 #include "certificate/sha256.h"
 #include "claims/latex.h"
 #include "claims/rests_on.h"
-#include "cli/figure.h"
-#include "cli/figure_marks.h"
+#include "draw/figure.h"
+#include "draw/figure_marks.h"
 #include "cli/files.h"
 #include "cli/outcome.h"
 #include "cli/true_digits.h"
@@ -306,11 +306,11 @@ Verified verify(const std::filesystem::path& file, const VerifyOptions& options,
     } else if (const auto* ask = std::get_if<claims::MeantAsk>(&item)) {
       if (selected(ask->id, options.claims)) result.run.items.push_back(assembly.ask(*ask));
     } else if (const auto* figure = std::get_if<claims::MeantFigure>(&item)) {
-      result.run.items.push_back(sampled(*figure, *meaning.numbers));
+      result.run.items.push_back(draw::sampled(*figure, *meaning.numbers));
     }
   }
   add_true_digits(result.run, meaning, file, options);
-  mark_refutations(result.run, meaning);
+  draw::mark_refutations(result.run, meaning);
   result.certificates = std::move(assembly.certificates);
   return result;
 }

@@ -3,14 +3,14 @@
 #include <cmath>
 #include <optional>
 
-#include "cli/figure_parts.h"
+#include "draw/figure_parts.h"
 
 // A line of curvature has at each point a principal direction, an eigenvector of the shape
 // operator: (E M - F L) du^2 + (E N - G L) du dv + (F N - G M) dv^2 = 0. It is followed with
 // steps of one length in space, by the midpoint rule, until it leaves the domain or meets an
 // umbilic, where every direction is principal.
 
-namespace seam::cli {
+namespace seam::draw {
 namespace {
 
 using Line = report::FigureRun::Line;
@@ -88,4 +88,4 @@ void add_curvature_lines(report::FigureRun& figure, const Sheet& sheet) {
     }
 }
 
-}  // namespace seam::cli
+}  // namespace seam::draw

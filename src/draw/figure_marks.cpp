@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/figure_marks.h"
+#include "draw/figure_marks.h"
 
 #include <algorithm>
 #include <array>
@@ -8,14 +8,14 @@
 #include <optional>
 #include <set>
 
-#include "cli/rounded_patch.h"
+#include "draw/rounded_patch.h"
 
 // A statement speaks of a patch p at parameters that it spells out, as in gauss(p)(u, 1 - u);
 // or of a function on p as a whole, as in max(gauss(p)), which is then stated in the parameters
 // u, v of p. Where it may be another patch or another part of the statement that the witness is
 // about, or where the statement binds the name of the patch, nothing is marked.
 
-namespace seam::cli {
+namespace seam::draw {
 namespace {
 
 using claims::Expression;
@@ -171,4 +171,4 @@ void mark_refutations(report::FileRun& run, const claims::Meaning& meaning) {
   }
 }
 
-}  // namespace seam::cli
+}  // namespace seam::draw

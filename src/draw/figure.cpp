@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/figure.h"
+#include "draw/figure.h"
 
 #include <algorithm>
 
-#include "cli/figure_parts.h"
+#include "draw/figure_parts.h"
 
-namespace seam::cli {
+namespace seam::draw {
 namespace {
 
 using geometry::Patch;
@@ -89,4 +89,4 @@ report::FigureRun sampled(const claims::MeantFigure& figure, const symbolic::Num
   return Sampling(figure, numbers).figure();
 }
 
-}  // namespace seam::cli
+}  // namespace seam::draw

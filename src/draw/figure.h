@@ -4,9 +4,9 @@
 #include "claims/meaning.h"
 #include "report/run.h"
 
-namespace seam::cli {
+namespace seam::draw {
 
 /// A drawing of samples: patches and surfaces cut into small facets, rounded. Proves nothing.
 report::FigureRun sampled(const claims::MeantFigure&, const symbolic::Numbers&);
 
-}  // namespace seam::cli
+}  // namespace seam::draw

@@ -3,13 +3,13 @@
 #include <cmath>
 #include <functional>
 
-#include "cli/figure_parts.h"
+#include "draw/figure_parts.h"
 #include "report/colour.h"
 
 // The triangle of two barycentric coordinates is drawn with equal sides. Heights of a graph are
 // brought to half the size of its domain, by a factor of two digits that the figure names.
 
-namespace seam::cli {
+namespace seam::draw {
 namespace {
 
 using report::FigureRun;
@@ -191,4 +191,4 @@ void add_functions(FigureRun& figure, const claims::MeantFigure& meant,
   }
 }
 
-}  // namespace seam::cli
+}  // namespace seam::draw

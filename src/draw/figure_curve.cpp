@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
-#include "cli/figure_parts.h"
+#include "draw/figure_parts.h"
 
-namespace seam::cli {
+namespace seam::draw {
 
 void add_curve(report::FigureRun& figure, const geometry::Curve& curve,
                const claims::MeantFigure& meant, const symbolic::Numbers& numbers) {
@@ -28,4 +28,4 @@ void add_curve(report::FigureRun& figure, const geometry::Curve& curve,
   if (std::ranges::count(meant.with, "net") > 0) figure.lines.push_back(std::move(net));
 }
 
-}  // namespace seam::cli
+}  // namespace seam::draw

@@ -4,11 +4,11 @@
 #include <functional>
 #include <vector>
 
-#include "cli/rounded_patch.h"
+#include "draw/rounded_patch.h"
 #include "report/run.h"
 
 // What drawings of patches, meshes and functions are made of.
-namespace seam::cli {
+namespace seam::draw {
 
 /// A value to colour by, at a point of a sheet.
 using Colouring = std::function<double(const Jet&, double u, double v)>;
@@ -69,4 +69,4 @@ void note(report::FigureRun&, const std::string& sentence);
 /// Leaves out facets and pieces of lines where something has no value that can be drawn.
 void leave_out_undefined(report::FigureRun&);
 
-}  // namespace seam::cli
+}  // namespace seam::draw

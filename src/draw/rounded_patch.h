@@ -7,7 +7,7 @@
 #include "report/space.h"
 #include "symbolic/numbers.h"
 
-namespace seam::cli {
+namespace seam::draw {
 
 using report::cross, report::dot, report::length;
 using report::Vector;
@@ -42,4 +42,4 @@ class RoundedPatch {
   Net u_, v_, uu_, uv_, vv_;  ///< of the derivatives
 };
 
-}  // namespace seam::cli
+}  // namespace seam::draw

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/rounded_patch.h"
+#include "draw/rounded_patch.h"
 
 // A derivative of a patch in Bernstein form has differences of control points for control
 // points, times the degree. A net that ran empty is that of the function 0.
 
-namespace seam::cli {
+namespace seam::draw {
 namespace {
 
 using Net = RoundedPatch::Net;
@@ -107,4 +107,4 @@ Jet RoundedPatch::jet(double u, double v) const {
           value(shape_, uu_, u, v),  value(shape_, uv_, u, v), value(shape_, vv_, u, v)};
 }
 
-}  // namespace seam::cli
+}  // namespace seam::draw

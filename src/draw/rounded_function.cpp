@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/rounded_function.h"
+#include "draw/rounded_function.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 // Derivatives are carried along by the rules of product and chain, so none is a quotient of
 // differences.
 
-namespace seam::cli {
+namespace seam::draw {
 namespace {
 
 using symbolic::Formula;
@@ -138,4 +138,4 @@ Expansion RoundedFunction::operator()(const std::vector<Expansion>& variables) c
   return values.back();
 }
 
-}  // namespace seam::cli
+}  // namespace seam::draw

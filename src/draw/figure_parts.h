@@ -2,11 +2,11 @@
 #pragma once
 
 #include "claims/meaning.h"
-#include "cli/facets.h"
-#include "cli/rounded_function.h"
+#include "draw/facets.h"
+#include "draw/rounded_function.h"
 
 // Each adds samples of one kind of value to a figure, and what the file wants drawn with it.
-namespace seam::cli {
+namespace seam::draw {
 
 /// Patches in space without parameters, with the seams between them.
 void add_patches(report::FigureRun&, const std::vector<geometry::Patch>&,
@@ -34,4 +34,4 @@ void add_contours(report::FigureRun&);
 /// Lines of curvature of a sheet, from a few points of it.
 void add_curvature_lines(report::FigureRun&, const Sheet&);
 
-}  // namespace seam::cli
+}  // namespace seam::draw

@@ -7,7 +7,7 @@
 
 #include "symbolic/numbers.h"
 
-namespace seam::cli {
+namespace seam::draw {
 
 /// The value of a function and its derivatives in two parameters, to the second order.
 struct Expansion {
@@ -36,4 +36,4 @@ class RoundedFunction {
   std::vector<int> variable_of_step_;  ///< -1: a constant
 };
 
-}  // namespace seam::cli
+}  // namespace seam::draw

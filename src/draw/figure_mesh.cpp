@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <map>
 
-#include "cli/figure_parts.h"
+#include "draw/figure_parts.h"
 
 // A face is cut into triangles by taking ears off: corners that turn the way the face does and
 // whose triangle holds no other corner. A plane face without self-intersections always has one;
 // of any other the next corner is taken.
 
-namespace seam::cli {
+namespace seam::draw {
 namespace {
 
 using report::FigureRun;
@@ -97,4 +97,4 @@ void add_mesh(FigureRun& figure, const geometry::Mesh& mesh, const symbolic::Num
   facets.turn(neighbours, has_free_edge);
 }
 
-}  // namespace seam::cli
+}  // namespace seam::draw

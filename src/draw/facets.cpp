@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/facets.h"
+#include "draw/facets.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 // The volume under a closed surface is the sum of the signed volumes of the pyramids from the
 // origin to its facets; it is positive if they are turned outwards, wherever the origin is.
 
-namespace seam::cli {
+namespace seam::draw {
 namespace {
 
 using report::FigureRun;
@@ -183,4 +183,4 @@ void leave_out_undefined(FigureRun& figure) {
   figure.lines = std::move(kept.lines);
 }
 
-}  // namespace seam::cli
+}  // namespace seam::draw

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
-#include "cli/figure_parts.h"
+#include "draw/figure_parts.h"
 
 // On which side of a side the domain lies, and so whether two patches that share a curve have
 // their normals alike: they do if both run round their domains in the same sense and so pass
 // the curve in opposite ones.
 
-namespace seam::cli {
+namespace seam::draw {
 namespace {
 
 using report::FigureRun;
@@ -97,4 +97,4 @@ void add_patches(FigureRun& figure, const std::vector<geometry::Patch>& given,
   facets.turn(neighbours(patches, seams), has_free_edge);
 }
 
-}  // namespace seam::cli
+}  // namespace seam::draw

@@ -2,13 +2,13 @@
 #include <algorithm>
 #include <map>
 
-#include "cli/figure_parts.h"
+#include "draw/figure_parts.h"
 #include "report/colour.h"
 
 // A contour crosses a facet from one edge to another, or not at all, for a corner at the level
 // counts as above it. So the crossings are linked to at most two others each, and make chains.
 
-namespace seam::cli {
+namespace seam::draw {
 namespace {
 
 using report::FigureRun;
@@ -72,4 +72,4 @@ void add_contours(FigureRun& figure) {
   }
 }
 
-}  // namespace seam::cli
+}  // namespace seam::draw

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <memory>
 
-#include "cli/figure_parts.h"
+#include "draw/figure_parts.h"
 
-namespace seam::cli {
+namespace seam::draw {
 
 Colouring colouring(const claims::MeantFigure& figure, std::size_t number,
                     const std::vector<std::string>& variables,
@@ -30,4 +30,4 @@ Colouring colouring(const claims::MeantFigure& figure, std::size_t number,
   };
 }
 
-}  // namespace seam::cli
+}  // namespace seam::draw
