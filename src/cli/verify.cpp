@@ -13,11 +13,11 @@
 #include "certificate/sha256.h"
 #include "claims/latex.h"
 #include "claims/rests_on.h"
-#include "draw/figure.h"
-#include "draw/figure_marks.h"
 #include "cli/files.h"
 #include "cli/outcome.h"
 #include "cli/true_digits.h"
+#include "draw/figure.h"
+#include "draw/figure_marks.h"
 #include "symbolic/second_opinion.h"
 
 // One task a statement, in any order; results go to places fixed beforehand, so the order
