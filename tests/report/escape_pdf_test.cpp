@@ -110,7 +110,9 @@ std::vector<std::string> pages(const fs::path& pdf) {
 }
 
 std::vector<std::string> typeset_and_read(const std::vector<Sample>& samples) {
-  const fs::path folder = fs::path(testing::TempDir()) / "seamproof_escape";
+  const fs::path folder = fs::path(testing::TempDir()) /
+                          (std::string("seamproof_") +
+                           testing::UnitTest::GetInstance()->current_test_info()->name());
   fs::remove_all(folder);
   std::string document = std::string(preamble) + std::string(style) +
                          "\\begin{document}\\pagestyle{empty}\\raggedright"
