@@ -19,7 +19,7 @@ std::string listed(const std::string& words, const std::string& items) {
 std::string parameters(const Assumptions& all) {
   std::string items;
   for (const auto& [definition, claims] : all.parameters)
-    items += html_element("li", html_inline(definition->latex) + " " +
+    items += html_element("li", html_formula(definition->latex) +
                                     html_element("span class=\"quiet\"",
                                                  "in " + counted(claims, "claim", "claims")));
   return listed("Parameters: a claim holds for all that they may be.", items);

@@ -28,10 +28,10 @@ std::string html_group(const ObligationGroup& group) {
   if (first.guard)
     words +=
         " " + html_element("span class=\"quiet\"", "(so that the formulas mean something)");
+  words += evidence_of(group);
   if (group.count > 1)
     words += " " + html_element("span class=\"quiet\"", "— " + std::to_string(group.count) +
                                                             " of this kind, the first:");
-  words += evidence_of(group);
   const std::string& shown = first.latex.empty() ? first.text : first.latex;
   if (shown.size() > longest_obligation)
     words += html_element("p class=\"quiet\"", "its formula is long; the certificate holds it");

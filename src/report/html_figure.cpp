@@ -181,7 +181,7 @@ std::string html_figure(const FigureRun& figure) {
   std::string caption = html_element("strong", html_escape(figure.title));
   if (!figure.at.empty())
     caption += " " + html_element("span class=\"quiet\"", html_escape(figure.at));
-  caption += " " + html_element("span class=\"quiet\"", html_escape(description(figure)));
+  caption += " " + html_element("span class=\"quiet about\"", html_escape(description(figure)));
   for (const auto& mark : figure.marks) caption += " " + html_link(mark.label);
   return html_element("figure" + std::string(turns ? " class=\"surface\"" : "") +
                           " data-title=\"" + html_escape(figure.title) + "\"",
