@@ -70,6 +70,8 @@
       if (up.hidden) up.hidden = false;
     }
     target.scrollIntoView();
+    // What has come into sight has its true height only when it has been laid out.
+    requestAnimationFrame(() => requestAnimationFrame(() => target.scrollIntoView({ behavior: "instant" })));
   }
 
   // The controls, which stay in sight, cover no place that a link leads to.

@@ -8,6 +8,9 @@ const focused = (page) => page.evaluate(() => document.activeElement.id);
 const is_open = (page) => page.$eval("[id='claim:closed'] details", (details) => details.open);
 
 async function is_revealed(page, id) {
+  await page.evaluate(async () => {
+    for (let frame = 0; frame < 4; ++frame) await new Promise(requestAnimationFrame);
+  });
   const box = await page.locator(`[id='${id}']`).boundingBox();
   assert.ok(box, `${id} is not shown`);
   assert.ok(box.y >= 0 && box.y < 900, `${id} is at ${box.y}, out of sight`);
