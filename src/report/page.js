@@ -35,7 +35,12 @@
     for (const other of document.querySelectorAll(".part > :not(h2):not(article.claim):not(.cells)")) other.hidden = !all;
     for (const cells of document.querySelectorAll("details.cells")) {
       cells.hidden = !cells.querySelector("article:not([hidden])");
-      if (!all) cells.open = true;
+      // What a search unfolds is folded again behind it.
+      if (!all && !cells.open) cells.dataset.unfolded = String((cells.open = true));
+      if (all && cells.dataset.unfolded) {
+        cells.open = false;
+        delete cells.dataset.unfolded;
+      }
     }
     for (const part of document.querySelectorAll("section.part"))
       part.hidden = !all && !part.querySelector("article.claim:not([hidden])");

@@ -35,6 +35,7 @@ export const controls = [
       assert.equal(await count(page), "0 of 14 claims");
       await page.fill("#query", "");
       assert.equal(await count(page), "14 claims");
+      assert.equal(await page.locator("details[open]").count(), 0);
     },
   },
   {
