@@ -2,8 +2,8 @@
 #include <iostream>
 
 #include "cli/commands.h"
+#include "cli/decide.h"
 #include "cli/files.h"
-#include "cli/outcome.h"
 
 namespace seam::cli {
 
@@ -22,11 +22,9 @@ int ask(const std::string& file, const std::string& expression, int digits,
     for (const auto& error : errors) all += text::render(error);
     throw Failure{bad_file, all};
   }
-  prove::Budget budget;
-  budget.effort = options.effort;
   const auto attempt = [&](const claims::Lowered& lowered) {
-    return decide(lowered, meant_ask.expression, budget,
-                  [](const symbolic::Formula& f) { return f; });
+    const Question asked{"", &lowered, &meant_ask.expression};
+    return decide({asked}, options, [](const symbolic::Formula& f) { return f; }).front();
   };
   Decided decided = attempt(meant_ask.statement);
   const bool is_enclosed =

@@ -7,6 +7,7 @@
 
 #include "cli/commands.h"
 #include "cli/files.h"
+#include "cli/store.h"
 
 // One function a command. Help, man page and completion are made of what is said here; by its
 // name, or that of its type, a value is completed: FILE, FOLDER, DIR, ID, ID-OR-GLOB.
@@ -44,10 +45,15 @@ CLI::Validator above_zero() {
 
 /// How long, how far and how broadly is searched.
 void add_search(CLI::App* command, VerifyOptions& to) {
-  command->add_option("--timeout", to.timeout, "seconds a claim may take")
+  command
+      ->add_option("--timeout", to.timeout,
+                   "seconds that the search for one statement may take")
       ->type_name("S")
       ->check(above_zero())
       ->capture_default_str();
+  command->add_option("--memory", to.memory, "MiB that the search for one statement may take")
+      ->type_name("MIB")
+      ->check(above_zero());
   command->add_option("--effort", to.effort, "pieces a subdivision may have")
       ->type_name("N")
       ->check(above_zero())
@@ -57,6 +63,16 @@ void add_search(CLI::App* command, VerifyOptions& to) {
       ->add_option("--jobs", to.jobs, "claims at work at the same time; else one a processor")
       ->type_name("N")
       ->check(CLI::Range(1, 256).description(""));
+  to.store = Store::usual_folder();
+  CLI::Option* store =
+      command
+          ->add_option("--cache", to.store,
+                       "where evidence is kept for the next run; else ~/.cache/seamproof")
+          ->type_name("DIR");
+  command
+      ->add_flag_callback(
+          "--no-cache", [&to] { to.store.clear(); }, "search for everything, keep nothing")
+      ->excludes(store);
 }
 
 void add_verify(CLI::App& app, Arguments& to) {
@@ -87,7 +103,11 @@ void add_verify(CLI::App& app, Arguments& to) {
                     "parts of the report for a paper to input, with their style (needs --out)");
   command->add_flag("--allow-undecided", to.outputs.allow_undecided,
                     "undecided claims are no failure");
-  command->add_flag("--quiet", to.outputs.quiet, "only the exit status");
+  CLI::Option* quiet = command->add_flag("--quiet", to.outputs.quiet, "only the exit status");
+  command
+      ->add_flag("-v,--verbose", to.outputs.verbose,
+                 "of each claim also how it was decided, and whether anew")
+      ->excludes(quiet);
   command->add_option("--color", to.outputs.colour, "colours on standard output")
       ->type_name("WHEN")
       ->check(CLI::IsMember({"auto", "always", "never"}));

@@ -301,8 +301,8 @@ bool withdraw_guesses(const Statement& statement, Evidence& evidence,
 
 }  // namespace
 
-Decided decide(const claims::Lowered& lowered, const claims::Expression& statement,
-               const prove::Budget& budget, const NormalForm& normal_form) {
+Decided judged(const claims::Lowered& lowered, const claims::Expression& statement,
+               Evidence evidence, const NormalForm& normal_form) {
   Decided result;
   report::Outcome& outcome = result.outcome;
   outcome.text = claims::format(statement);
@@ -314,7 +314,7 @@ Decided decide(const claims::Lowered& lowered, const claims::Expression& stateme
   }
   const Statement& claimed = lowered.exported->statement;
   outcome.digest = certificate::digest(claimed);
-  result.evidence = prove::prove(claimed, budget);
+  result.evidence = std::move(evidence);
   check::Judgement judgement = check::judge(claimed, result.evidence);
   if (withdraw_guesses(claimed, result.evidence, judgement))
     judgement = check::judge(claimed, result.evidence);

@@ -6,23 +6,25 @@
 
 #include "certificate/evidence.h"
 #include "claims/meaning.h"
-#include "prove/prove.h"
 #include "report/run.h"
 
 namespace seam::cli {
 
-/// A statement proved or refuted, and judged.
+/// A statement judged by evidence.
 struct Decided {
+  enum class Origin { searched, stored };
   report::Outcome outcome;
   certificate::Evidence evidence;
+  Origin origin = Origin::searched;
+  double seconds = 0;
 };
 
 /// The normal form of a number of the file, for messages. Called from several threads.
 using NormalForm = std::function<symbolic::Formula(const symbolic::Formula&)>;
 
-/// Searches for evidence and hands it, with the statement, to the checker; the verdict is the
-/// checker's. `alarm` is set where evidence was offered that the checker did not accept.
-Decided decide(const claims::Lowered&, const claims::Expression& statement,
-               const prove::Budget&, const NormalForm&);
+/// Hands the evidence, with the statement, to the checker; the verdict is the checker's.
+/// `alarm` is set where evidence was offered that the checker did not accept.
+Decided judged(const claims::Lowered&, const claims::Expression& statement,
+               certificate::Evidence, const NormalForm&);
 
 }  // namespace seam::cli

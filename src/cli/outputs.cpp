@@ -11,6 +11,7 @@
 #include "certificate/json.h"
 #include "check/library.h"
 #include "cli/files.h"
+#include "cli/interrupts.h"
 #include "report/figure.h"
 #include "report/file.h"
 #include "report/fragments.h"
@@ -77,6 +78,7 @@ void append(const fs::path& path, const std::string& bytes) {
 }  // namespace
 
 void write_folder(const fs::path& folder, const Verified& verified, const Outputs& outputs) {
+  const Uninterrupted whole;
   const report::Run run{tool_name(), {verified.run}, libraries()};
   for (const auto& [name, certificate] : verified.certificates)
     write(folder / name, certificate::write(certificate));
@@ -121,7 +123,8 @@ void write_run(const report::Run& run, const Outputs& outputs) {
   if (!to_stdout && !outputs.quiet && is_read) {
     const bool colour = report::wants_colour(
         colour_of(outputs.colour), isatty(STDOUT_FILENO) != 0, std::getenv("NO_COLOR"));
-    std::cout << report::terminal(run, colour);
+    std::cout << report::terminal(
+        run, colour, outputs.verbose ? report::Detail::full : report::Detail::brief);
   }
   if (!outputs.github) return;
   (to_stdout ? std::cerr : std::cout) << report::github_annotations(run, allow);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/true_digits.h"
 
-#include <chrono>
 #include <map>
 #include <memory>
 #include <new>
 
+#include "cli/decide.h"
 #include "cli/files.h"
 
 // The digits are searched for without proof; that they are right is a statement of its own,
@@ -56,12 +56,8 @@ std::vector<report::ClaimRun*> runs_of(report::FileRun& run) {
 }  // namespace
 
 Decided decide(const claims::NamedNumbers::Statement& statement, const VerifyOptions& options) {
-  prove::Budget budget;
-  budget.effort = options.effort;
-  budget.deadline = std::chrono::steady_clock::now() +
-                    std::chrono::milliseconds(static_cast<long>(options.timeout * 1000));
-  return decide(statement.lowered, statement.written, budget,
-                [](const symbolic::Formula& f) { return f; });
+  const Question question{"", &statement.lowered, &statement.written};
+  return decide({question}, options, [](const symbolic::Formula& f) { return f; }).front();
 }
 
 std::optional<PrintedNumber> certified(claims::NamedNumbers& numbers, const std::string& name,

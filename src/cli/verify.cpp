@@ -2,26 +2,19 @@
 #include "cli/verify.h"
 
 #include <fnmatch.h>
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <atomic>
-#include <chrono>
 #include <mutex>
 
 #include "certificate/sha256.h"
 #include "claims/latex.h"
 #include "claims/rests_on.h"
+#include "cli/decide.h"
 #include "cli/files.h"
-#include "cli/outcome.h"
 #include "cli/true_digits.h"
 #include "draw/figure.h"
 #include "draw/figure_marks.h"
 #include "symbolic/second_opinion.h"
-
-// One task a statement, in any order; results go to places fixed beforehand, so the order
-// does not show.
 
 namespace seam::cli {
 namespace {
@@ -31,13 +24,10 @@ using certificate::Verdict;
 using claims::MeantClaim;
 
 struct Task {
-  std::string id;
-  const claims::Lowered* lowered = nullptr;
-  const claims::Expression* statement = nullptr;
-  Decided decided;
-  double seconds = 0;
+  Question question;
   const claims::Lowered* otherwise = nullptr;  ///< where that cannot be proven
   bool is_otherwise = false;                   ///< it was not: `decided` is about the other
+  Decided decided = {};
 };
 
 void run(std::vector<Task>& tasks, const claims::Meaning& meaning, const VerifyOptions& options,
@@ -47,43 +37,31 @@ void run(std::vector<Task>& tasks, const claims::Meaning& meaning, const VerifyO
     const std::lock_guard lock(numbers);
     return meaning.numbers->normal_form(f);
   };
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                  std::max(1, options.jobs));
-  std::atomic<int> done = 0;
-  const int all = static_cast<int>(tasks.size());
-  tbb::parallel_for(std::size_t{0}, tasks.size(), [&](std::size_t i) {
-    Task& task = tasks[i];
-    const auto start = std::chrono::steady_clock::now();
-    const auto attempt = [&](const claims::Lowered& lowered) {
-      prove::Budget budget;
-      budget.effort = options.effort;
-      budget.deadline = std::chrono::steady_clock::now() +
-                        std::chrono::milliseconds(static_cast<long>(options.timeout * 1000));
-      return decide(lowered, *task.statement, budget, normal_form);
-    };
-    try {
-      task.decided = attempt(*task.lowered);
-      if (task.otherwise && task.decided.outcome.verdict != Verdict::proven) {
-        task.is_otherwise = true;
-        task.decided = attempt(*task.otherwise);
-      }
-    } catch (const std::bad_alloc&) {
-      task.decided = {};
-      task.decided.outcome.text = claims::format(*task.statement);
-      task.decided.outcome.latex = claims::latex(*task.statement);
-      task.decided.outcome.reason = "memory";
-      task.decided.outcome.detail = "there was not enough memory";
-    }
-    task.seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    progress(++done, all, task.id);
-  });
+  std::vector<Question> questions;
+  for (const Task& task : tasks) questions.push_back(task.question);
+  std::vector<Decided> answers = decide(questions, options, normal_form, progress);
+  for (std::size_t i = 0; i < tasks.size(); ++i) tasks[i].decided = std::move(answers[i]);
+
+  std::vector<Task*> again;
+  questions.clear();
+  for (Task& task : tasks) {
+    if (!task.otherwise || task.decided.outcome.verdict == Verdict::proven) continue;
+    task.is_otherwise = true;
+    again.push_back(&task);
+    questions.push_back({task.question.id, task.otherwise, task.question.statement});
+  }
+  answers = decide(questions, options, normal_form, progress);
+  for (std::size_t i = 0; i < again.size(); ++i) {
+    answers[i].seconds += again[i]->decided.seconds;
+    again[i]->decided = std::move(answers[i]);
+  }
 }
 
 // Every accepted obligation once more by a third arithmetic, at one point; one after the other.
 void ask_for_second_opinions(std::vector<Task>& tasks) {
   for (Task& task : tasks) {
-    const claims::Lowered& lowered = task.is_otherwise ? *task.otherwise : *task.lowered;
+    const claims::Lowered& lowered =
+        task.is_otherwise ? *task.otherwise : *task.question.lowered;
     if (!lowered.exported) continue;
     const certificate::Statement& statement = lowered.exported->statement;
     report::Outcome& outcome = task.decided.outcome;
@@ -112,18 +90,14 @@ std::vector<Task> tasks_of(const claims::Meaning& meaning,
   std::vector<Task> tasks;
   each_claim(meaning, [&](const MeantClaim& claim) {
     if (!selected(claim.claim.id, patterns)) return;
-    tasks.push_back({claim.claim.id, &claim.printed, &claim.claim.statement, {}});
+    tasks.push_back({{claim.claim.id, &claim.printed, &claim.claim.statement}});
     if (claim.corrected)
-      tasks.push_back({claim.claim.id, &*claim.corrected, &*claim.claim.corrected, {}});
+      tasks.push_back({{claim.claim.id, &*claim.corrected, &*claim.claim.corrected}});
   });
   for (const auto& item : meaning.items)
     if (const auto* ask = std::get_if<claims::MeantAsk>(&item);
         ask && selected(ask->id, patterns))
-      tasks.push_back({ask->id,
-                       &ask->statement,
-                       &ask->expression,
-                       {},
-                       0,
+      tasks.push_back({{ask->id, &ask->statement, &ask->expression},
                        ask->enclosure ? &*ask->enclosure : nullptr});
   return tasks;
 }
@@ -174,12 +148,15 @@ class Assembly {
     each_claim(meaning, [&](const MeantClaim& claim) {
       uses[claim.claim.id] = claim.claim.using_claims;
     });
-    for (const Task& task : tasks) verdicts_.emplace(task.id, task.decided.outcome.verdict);
-    for (const Task& task : tasks) mark_conditional(task.id, uses, verdicts_, because_);
+    for (const Task& task : tasks)
+      verdicts_.emplace(task.question.id, task.decided.outcome.verdict);
+    for (const Task& task : tasks)
+      mark_conditional(task.question.id, uses, verdicts_, because_);
   }
 
   std::optional<report::ClaimRun> claim(const MeantClaim& meant) {
-    if (next_ >= tasks_.size() || tasks_[next_].id != meant.claim.id) return std::nullopt;
+    if (next_ >= tasks_.size() || tasks_[next_].question.id != meant.claim.id)
+      return std::nullopt;
     report::ClaimRun run;
     run.id = meant.claim.id;
     run.title = meant.claim.title;
@@ -211,9 +188,9 @@ class Assembly {
                        {},
                        0};
     const auto task = std::ranges::find_if(
-        tasks_, [&](const Task& t) { return t.lowered == &meant.statement; });
+        tasks_, [&](const Task& t) { return t.question.lowered == &meant.statement; });
     if (task == tasks_.end()) return run;
-    run.seconds = task->seconds;
+    run.seconds = task->decided.seconds;
     run.detail = task->decided.outcome.detail;
     if (task->decided.outcome.verdict == Verdict::proven) {
       run.decimal = meant.decimal;
@@ -231,7 +208,8 @@ class Assembly {
                           bool correction) {
     Task& task = tasks_[next_++];
     report::Outcome result = task.decided.outcome;
-    run.seconds += task.seconds;
+    run.seconds += task.decided.seconds;
+    result.is_stored = task.decided.origin == Decided::Origin::stored;
     const auto reason = because_.find(run.id);
     if (result.verdict == Verdict::proven && reason != because_.end() &&
         !reason->second.empty()) {
@@ -239,7 +217,7 @@ class Assembly {
       result.reason = "assumption";
       result.detail = reason->second;
     }
-    if (lowered.exported && result.reason != "memory") {
+    if (lowered.exported) {
       result.certificate = file_name(run.id, correction);
       certificates[result.certificate] = {run.id,
                                           correction,

@@ -15,8 +15,10 @@ namespace seam::cli {
 struct VerifyOptions {
   std::vector<std::string> claims;  ///< ids or globs; empty: all
   int jobs = 1;
-  double timeout = 300;  ///< seconds a claim
+  double timeout = 300;  ///< seconds that the search for one statement may take
+  long memory = 0;       ///< mebibytes that it may take; 0: any
   long effort = 20'000;
+  std::string store;  ///< folder of evidence of earlier runs; empty: none
 };
 
 /// A file with every selected claim decided, and its certificates by file name.

@@ -4,6 +4,7 @@
 
 #include "cli/commands.h"
 #include "cli/files.h"
+#include "cli/interrupts.h"
 #include "cli/progress.h"
 
 namespace seam::cli {
@@ -13,6 +14,7 @@ int verify_files(const std::vector<std::string>& arguments, const VerifyOptions&
                  const Outputs& outputs) {
   const std::vector<fs::path> files = seam_files(arguments);
   report::Run run{tool_name(), {}, libraries()};
+  end_on_signals();
   for (const fs::path& file : files) {
     ProgressLine progress(outputs.quiet);
     const auto tell = [&](int done, int all, const std::string& id) {

@@ -40,6 +40,7 @@ struct Outcome {
   std::vector<ObligationRun> obligations;
   std::string digest;       ///< of what was judged
   std::string certificate;  ///< path, relative to the report's folder; empty: none written
+  bool is_stored = false;   ///< the evidence is that of an earlier run; never in a file
 };
 
 struct ClaimRun {

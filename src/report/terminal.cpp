@@ -69,6 +69,25 @@ void append(std::string& line, const std::string& part) {
   if (!part.empty()) line += "  " + part;
 }
 
+// The methods, the number of obligations, and where the evidence is from.
+std::string how(const ClaimRun& claim) {
+  std::string methods;
+  std::size_t obligations = 0;
+  bool is_stored = true;
+  for (const Outcome* outcome :
+       {&claim.printed, claim.corrected ? &*claim.corrected : nullptr}) {
+    if (!outcome) continue;
+    obligations += outcome->obligations.size();
+    is_stored = is_stored && outcome->is_stored;
+    for (const std::string& method : outcome->method)
+      if (methods.find(method) == std::string::npos)
+        methods += (methods.empty() ? "" : ", ") + method;
+  }
+  return "[" + methods + (methods.empty() ? "" : "; ") + std::to_string(obligations) +
+         (obligations == 1 ? " obligation; " : " obligations; ") +
+         (is_stored ? "stored]" : "searched]");
+}
+
 }  // namespace
 
 const char* shape(Verdict verdict) {
@@ -90,7 +109,7 @@ bool wants_colour(Colour choice, bool is_terminal, const char* no_color) {
   return is_terminal && (!no_color || *no_color == '\0');
 }
 
-std::string line(const ClaimRun& claim, bool colour) {
+std::string line(const ClaimRun& claim, bool colour, Detail detail) {
   std::string result = mark(claim.printed.verdict, colour, 11) + "  " + claim.id;
   if (claim.printed.verdict != Verdict::proven) append(result, because(claim.printed));
   if (claim.corrected) {
@@ -102,6 +121,7 @@ std::string line(const ClaimRun& claim, bool colour) {
   for (const Outcome* outcome : {&claim.printed, claim.corrected ? &*claim.corrected : nullptr})
     if (outcome && !outcome->alarm.empty())
       append(result, "SOUNDNESS ALARM, the checker objects: " + one_line(outcome->alarm));
+  if (detail == Detail::full) append(result, how(claim));
   return result + time(claim.seconds) + "\n";
 }
 
@@ -127,15 +147,16 @@ std::string line(const Summary& summary, bool colour) {
          std::to_string(summary.as_expected) + " as expected\n";
 }
 
-std::string terminal(const Run& run, bool colour) {
+std::string terminal(const Run& run, bool colour, Detail detail) {
   std::string result;
   for (const FileRun& file : run.files)
     for (const ItemRun& item : file.items) {
-      if (const auto* claim = std::get_if<ClaimRun>(&item)) result += line(*claim, colour);
+      if (const auto* claim = std::get_if<ClaimRun>(&item))
+        result += line(*claim, colour, detail);
       if (const auto* ask = std::get_if<AskRun>(&item)) result += line(*ask, colour);
       if (const auto* table = std::get_if<TableRun>(&item))
         for (const TableRun::Row& row : table->rows)
-          for (const ClaimRun& cell : row.cells) result += line(cell, colour);
+          for (const ClaimRun& cell : row.cells) result += line(cell, colour, detail);
     }
   return result + line(summarize(run), colour);
 }

@@ -7,6 +7,10 @@
 
 namespace seam::report {
 
+/// `full`: of each claim also the methods, the number of obligations, and whether evidence was
+/// searched for or stored by an earlier run.
+enum class Detail { brief, full };
+
 enum class Colour { automatic, always, never };
 
 /// Whether to colour: `automatic` does so on a terminal, unless NO_COLOR is set and not empty.
@@ -15,7 +19,7 @@ bool wants_colour(Colour, bool is_terminal, const char* no_color);
 /// `✗ refuted    ID  witness  0.12 s`: shape and word of the verdict, the id, the reason or the
 /// witness, what became of a correction, and what was expected if it was something else. One
 /// line, with its end.
-std::string line(const ClaimRun&, bool colour);
+std::string line(const ClaimRun&, bool colour, Detail = Detail::brief);
 
 /// `= ID  decimal  (closed form)  0.12 s`.
 std::string line(const AskRun&, bool colour);
@@ -24,7 +28,7 @@ std::string line(const AskRun&, bool colour);
 std::string line(const Summary&, bool colour);
 
 /// The lines of all claims and questions in file order, then the summary.
-std::string terminal(const Run&, bool colour);
+std::string terminal(const Run&, bool colour, Detail = Detail::brief);
 
 /// `✓`, `✗`, `◐`, `?`.
 const char* shape(Verdict);

@@ -1,52 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What docs/command-line.md promises to users and scripts.
 
+#include "programs.h"
+
 #include <gtest/gtest.h>
-
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-
-#include "process.h"
 
 namespace seam::test {
 namespace {
-
-namespace fs = std::filesystem;
-
-class Programs : public testing::Test {
- protected:
-  Programs() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    write("right.seam", "claim a: 1 + 1 = 2\n");
-    write("wrong.seam", "claim a: 1 + 1 = 3\n");
-    write("known.seam", "claim a: 1 + 1 = 3\n    expect refuted\n");
-    write("broken.seam", "claim a: 1 + = 3\n");
-  }
-  ~Programs() override { fs::remove_all(folder_); }
-
-  void write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name) << text;
-  }
-  std::string read(const std::string& name) const {
-    std::ifstream file(folder_ / name);
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  }
-  Finished in_folder(const std::string& line) const {
-    return run("cd " + quoted(folder_.string()) + " && " + line);
-  }
-  Finished seamproof(const std::string& words) const {
-    return in_folder(quoted(SEAMPROOF) + " " + words);
-  }
-  Finished check(const std::string& words) const {
-    return in_folder(quoted(SEAMPROOF_CHECK) + " " + words);
-  }
-
-  fs::path folder_ = fs::path(testing::TempDir()) /
-                     (std::string("seamproof_") +
-                      testing::UnitTest::GetInstance()->current_test_info()->name());
-};
 
 TEST_F(Programs, the_exit_status_says_what_came_of_the_claims) {
   EXPECT_EQ(seamproof("verify right.seam").status, 0);

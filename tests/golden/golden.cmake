@@ -6,7 +6,7 @@
 #
 # `./dev accept` writes the committed files again.
 file(REMOVE_RECURSE ${ACTUAL})
-execute_process(COMMAND ${SEAMPROOF} verify ${FILE} --out ${ACTUAL} --quiet RESULT_VARIABLE status)
+execute_process(COMMAND ${SEAMPROOF} verify ${FILE} --out ${ACTUAL} --no-cache --quiet RESULT_VARIABLE status)
 if(NOT status EQUAL 0)
   message(FATAL_ERROR "seamproof: exit status ${status}")
 endif()
