@@ -139,8 +139,9 @@ class Decisions {
     const std::lock_guard lock(telling_);
     ++done_;
     if (is_kept) ++kept_;
+    if (!progress_) return;
     set_progress(done_, static_cast<int>(questions_.size()), kept_);
-    if (progress_) progress_(done_, static_cast<int>(questions_.size()), questions_[i].id);
+    progress_(done_, static_cast<int>(questions_.size()), questions_[i].id);
   }
 
   struct Found {

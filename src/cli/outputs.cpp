@@ -12,6 +12,7 @@
 #include "check/library.h"
 #include "cli/files.h"
 #include "cli/interrupts.h"
+#include "cli/left_over.h"
 #include "report/figure.h"
 #include "report/file.h"
 #include "report/fragments.h"
@@ -80,6 +81,8 @@ void append(const fs::path& path, const std::string& bytes) {
 void write_folder(const fs::path& folder, const Verified& verified, const Outputs& outputs) {
   const Uninterrupted whole;
   const report::Run run{tool_name(), {verified.run}, libraries()};
+  remove_unfinished(folder);
+  remove_vanished(folder, verified);
   for (const auto& [name, certificate] : verified.certificates)
     write(folder / name, certificate::write(certificate));
   write(folder / "results.json", report::json(run));

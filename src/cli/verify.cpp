@@ -254,6 +254,7 @@ Verified verify(const std::filesystem::path& file, const VerifyOptions& options,
 
   Assembly assembly(tasks, meaning, file.string());
   Verified result;
+  if (!options.claims.empty()) result.extent = Verified::Extent::selection;
   result.run.file = file.filename().string();
   result.run.path = file.string();
   result.run.paper = meaning.paper;

@@ -23,8 +23,10 @@ struct VerifyOptions {
 
 /// A file with every selected claim decided, and its certificates by file name.
 struct Verified {
+  enum class Extent { whole, selection };  ///< of the claims of the file
   report::FileRun run;
   std::map<std::string, certificate::Certificate> certificates;
+  Extent extent = Extent::whole;
 };
 
 /// `progress` is told, from any thread, how many statements are done, of how many, and the id

@@ -14,6 +14,27 @@ TEST_F(Programs, the_exit_status_says_what_came_of_the_claims) {
   EXPECT_EQ(seamproof("verify wrong.seam").status, 1);
 }
 
+TEST_F(Programs, an_undecided_claim_gives_2_unless_that_is_allowed) {
+  EXPECT_EQ(seamproof("verify hard.seam --effort 10").status, 2);
+  EXPECT_EQ(seamproof("verify hard.seam --effort 10 --allow-undecided").status, 0);
+}
+
+TEST_F(Programs, evidence_that_shows_something_else_gives_3) {
+  ASSERT_EQ(seamproof("verify known.seam --out out").status, 0);
+  in_folder(
+      "sed -i 's/\"verdict\": \"refuted\"/\"verdict\": \"proven\"/' out/certificates/a.json");
+  EXPECT_EQ(check("out").status, 3);
+}
+
+TEST_F(Programs, an_internal_error_gives_70) {
+  // Too little memory to read the file in.
+  write("large.seam", "claim a: 0 = 0" + std::string(60'000'000, ' ') + "\n");
+  const Finished finished =
+      in_folder("ulimit -v 150000; exec " + quoted(SEAMPROOF) + " verify large.seam");
+  EXPECT_EQ(finished.status, 70) << finished.output;
+  EXPECT_NE(finished.output.find("internal error: "), std::string::npos) << finished.output;
+}
+
 TEST_F(Programs, the_exit_status_says_what_was_wrong_with_the_input) {
   EXPECT_EQ(seamproof("no-such-command").status, 64);
   EXPECT_EQ(seamproof("verify").status, 64);

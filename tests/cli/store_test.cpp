@@ -152,5 +152,41 @@ TEST_F(Kept, an_interrupted_run_keeps_what_was_done_and_says_so) {
   }
 }
 
+TEST_F(Kept, a_run_that_is_killed_at_any_moment_ends_with_the_same_bytes_when_run_again) {
+  ASSERT_EQ(seamproof("verify surface.seam --no-cache --out without").status, 0);
+  for (int moment = 0; moment < 12; ++moment) {
+    const Finished killed =
+        in_folder("timeout -s KILL 0." + std::to_string(100 + 7 * moment).substr(0, 3) + " " +
+                  quoted(SEAMPROOF) + " verify surface.seam --cache store --out with; true");
+    ASSERT_EQ(killed.status, 0);
+    // What is there is whole.
+    if (fs::exists(folder_ / "with" / "results.json"))
+      EXPECT_EQ(in_folder("cmp without/results.json with/results.json").output, "");
+  }
+  const Finished finished = verify("--out with");
+  EXPECT_EQ(finished.status, 0);
+  EXPECT_EQ(in_folder("diff -r without with").output, "");
+}
+
+TEST_F(Programs, certificates_of_claims_that_are_gone_go_too) {
+  write("two.seam", "claim a: 1 + 1 = 2\nclaim b: 1 + 2 = 3\n");
+  ASSERT_EQ(seamproof("verify two.seam --out out").status, 0);
+  write("out/certificates/mine.json", "{}");
+  ASSERT_EQ(seamproof("verify two.seam --out out --claim a").status, 0);
+  EXPECT_TRUE(fs::exists(folder_ / "out/certificates/b.json"));
+  write("two.seam", "claim a: 1 + 1 = 2\n");
+  ASSERT_EQ(seamproof("verify two.seam --out out").status, 0);
+  EXPECT_TRUE(fs::exists(folder_ / "out/certificates/a.json"));
+  EXPECT_FALSE(fs::exists(folder_ / "out/certificates/b.json"));
+  EXPECT_TRUE(fs::exists(folder_ / "out/certificates/mine.json"));
+}
+
+TEST_F(Programs, what_a_killed_run_left_half_written_is_removed) {
+  ASSERT_EQ(seamproof("verify right.seam --out out").status, 0);
+  write("out/report.tex.unfinished-99999999", "half");
+  ASSERT_EQ(seamproof("verify right.seam --out out").status, 0);
+  EXPECT_FALSE(fs::exists(folder_ / "out/report.tex.unfinished-99999999"));
+}
+
 }  // namespace
 }  // namespace seam::test

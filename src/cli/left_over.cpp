@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/left_over.h"
+
+#include <fstream>
+#include <string>
+#include <vector>
+
+// A file that is no certificate was not written by the program, and stays. So does what another
+// run is about to finish.
+
+namespace seam::cli {
+namespace fs = std::filesystem;
+namespace {
+
+// The process that wrote it, by the end of its name, is no more.
+bool is_unfinished(const fs::path& file) {
+  static const std::string mark = ".unfinished-";
+  const std::string name = file.filename().string();
+  const std::size_t at = name.rfind(mark);
+  if (at == std::string::npos) return false;
+  const std::string process = name.substr(at + mark.size());
+  return !process.empty() && process.find_first_not_of("0123456789") == std::string::npos &&
+         !fs::exists(fs::path("/proc") / process);
+}
+
+bool is_certificate(const fs::path& file) {
+  static const std::string start = "{\n \"format\": \"seamproof certificate ";
+  std::string bytes(start.size(), '\0');
+  std::ifstream(file, std::ios::binary).read(bytes.data(), std::ssize(bytes));
+  return bytes == start;
+}
+
+void remove_all(const std::vector<fs::path>& files) {
+  std::error_code ignored;
+  for (const fs::path& file : files) fs::remove(file, ignored);
+}
+
+}  // namespace
+
+void remove_unfinished(const fs::path& folder) {
+  std::error_code error;
+  std::vector<fs::path> found;
+  for (const auto& entry : fs::recursive_directory_iterator(folder, error))
+    if (entry.is_regular_file(error) && is_unfinished(entry.path()))
+      found.push_back(entry.path());
+  remove_all(found);
+}
+
+void remove_vanished(const fs::path& folder, const Verified& verified) {
+  if (verified.extent == Verified::Extent::selection) return;
+  std::error_code error;
+  std::vector<fs::path> found;
+  for (const auto& entry : fs::directory_iterator(folder / "certificates", error))
+    if (entry.is_regular_file(error) &&
+        !verified.certificates.contains("certificates/" + entry.path().filename().string()) &&
+        is_certificate(entry.path()))
+      found.push_back(entry.path());
+  remove_all(found);
+}
+
+}  // namespace seam::cli

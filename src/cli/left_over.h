@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+
+#include "cli/verify.h"
+
+namespace seam::cli {
+
+/// Removes what a run that was killed left half written in the folder and those below it.
+void remove_unfinished(const std::filesystem::path& folder);
+
+/// Removes the certificates in the folder of claims that are no longer in the file. Does
+/// nothing where only a selection of the claims was verified.
+void remove_vanished(const std::filesystem::path& folder, const Verified&);
+
+}  // namespace seam::cli
