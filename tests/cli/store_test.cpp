@@ -160,8 +160,9 @@ TEST_F(Kept, a_run_that_is_killed_at_any_moment_ends_with_the_same_bytes_when_ru
                   quoted(SEAMPROOF) + " verify surface.seam --cache store --out with; true");
     ASSERT_EQ(killed.status, 0);
     // What is there is whole.
-    if (fs::exists(folder_ / "with" / "results.json"))
+    if (fs::exists(folder_ / "with" / "results.json")) {
       EXPECT_EQ(in_folder("cmp without/results.json with/results.json").output, "");
+    }
   }
   const Finished finished = verify("--out with");
   EXPECT_EQ(finished.status, 0);

@@ -10,6 +10,19 @@
 namespace seam::report {
 namespace {
 
+TEST(Terminal, in_full_a_claim_says_how_it_was_decided_and_whether_anew) {
+  ClaimRun claim;
+  claim.id = "a";
+  claim.printed.verdict = Verdict::proven;
+  claim.printed.method = {"subdivision", "normal form"};
+  claim.printed.obligations.resize(3);
+  EXPECT_EQ(line(claim, false, Detail::full),
+            "✓ proven       a  [subdivision, normal form; 3 obligations; searched]  0.00 s\n");
+  claim.printed.is_stored = true;
+  EXPECT_EQ(line(claim, false, Detail::full),
+            "✓ proven       a  [subdivision, normal form; 3 obligations; stored]  0.00 s\n");
+}
+
 TEST(Terminal, a_line_holds_verdict_id_and_time) {
   ClaimRun claim;
   claim.id = "a.b";
