@@ -115,10 +115,14 @@ void add_verify(CLI::App& app, Arguments& to) {
 }
 
 void add_report(CLI::App& app, Arguments& to) {
-  CLI::App* command = add_command(app, to, "report", "verify, and write the report", [&to] {
-    return verify_files(to.files, to.search, to.outputs);
-  });
-  add_files(command, to);
+  CLI::App* command =
+      add_command(app, to, "report", "the report of results, or of files",
+                  [&to] { return report_files(to.files, to.search, to.outputs); });
+  command
+      ->add_option("DIR|FILE", to.files,
+                   "folders that verify --out wrote, or .seam files and folders of them")
+      ->type_name("")
+      ->required();
   command->add_option("--out", to.outputs.out, "folder for the report")
       ->type_name("DIR")
       ->required();

@@ -11,6 +11,8 @@
 namespace seam::cli {
 
 int verify_files(const std::vector<std::string>& files, const VerifyOptions&, const Outputs&);
+/// The same, except that a folder with results is reported from them and its certificates.
+int report_files(const std::vector<std::string>& files, const VerifyOptions&, const Outputs&);
 int list_claims(const std::vector<std::string>& files);
 int list_obligations(const std::vector<std::string>& files);
 int format_files(const std::vector<std::string>& files, bool in_place);

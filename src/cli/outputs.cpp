@@ -23,10 +23,12 @@
 #include "report/junit.h"
 #include "report/latex.h"
 #include "report/pdf.h"
+#include "report/read_json.h"
 #include "report/sarif.h"
 #include "report/svg.h"
 #include "report/terminal.h"
 #include "symbolic/libraries.h"
+#include "text/utf8.h"
 
 namespace seam::cli {
 namespace fs = std::filesystem;
@@ -78,20 +80,23 @@ void append(const fs::path& path, const std::string& bytes) {
 
 }  // namespace
 
-void write_folder(const fs::path& folder, const Verified& verified, const Outputs& outputs) {
+void write_folder(const fs::path& folder, const Verified& verified, const Outputs& outputs,
+                  const report::Run& made_by) {
+  const std::string results = report::json({made_by.tool, {verified.run}, made_by.libraries});
+  const auto run = std::get<report::Run>(report::read_json(results));
+  const report::FileRun& file = run.files.front();
   const Uninterrupted whole;
-  const report::Run run{tool_name(), {verified.run}, libraries()};
   remove_unfinished(folder);
   remove_vanished(folder, verified);
   for (const auto& [name, certificate] : verified.certificates)
     write(folder / name, certificate::write(certificate));
-  write(folder / "results.json", report::json(run));
+  write(folder / "results.json", results);
   write(folder / "report.tex", report::latex(run));
   if (outputs.html) write(folder / "report.html", report::html(run));
   if (outputs.fragments)
-    for (const auto& [name, bytes] : report::fragments(verified.run))
+    for (const auto& [name, bytes] : report::fragments(file))
       write(folder / "fragments" / name, bytes);
-  write_figures(folder / "figures", verified.run, outputs.pdf);
+  write_figures(folder / "figures", file, outputs.pdf);
   if (outputs.pdf) check(report::typeset(folder / "report.tex"));
 }
 
@@ -107,6 +112,17 @@ report::FileRun unread(const fs::path& file, const Failure& failure) {
   }
   if (run.errors.empty()) run.errors.push_back({failure.message, "", 0, 0});
   return run;
+}
+
+void tell_alarms(const report::Run& run) {
+  for (const auto& file : run.files)
+    for (const report::ClaimRun* claim : report::claims(file))
+      for (const report::Outcome* outcome :
+           {&claim->printed, claim->corrected ? &*claim->corrected : nullptr})
+        if (outcome && !outcome->alarm.empty())
+          std::cerr << "soundness alarm: " << text::printable(claim->id)
+                    << ": the checker did not accept the evidence: "
+                    << text::printable(outcome->alarm) << "\n";
 }
 
 void write_run(const report::Run& run, const Outputs& outputs) {

@@ -40,7 +40,12 @@ report::FileRun unread(const std::filesystem::path&, const Failure&);
 /// What people and CI systems read, where `Outputs` says.
 void write_run(const report::Run&, const Outputs&);
 
-/// The folder of one verified file: its certificates, results.json and the report.
-void write_folder(const std::filesystem::path& folder, const Verified&, const Outputs&);
+/// The evidence to which the checker objected, on standard error.
+void tell_alarms(const report::Run&);
+
+/// The folder of one verified file: its certificates, results.json and the report, which is
+/// made from these results. `made_by` is a run without files: the tool and the libraries.
+void write_folder(const std::filesystem::path& folder, const Verified&, const Outputs&,
+                  const report::Run& made_by = {tool_name(), {}, libraries()});
 
 }  // namespace seam::cli

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <iostream>
 
 #include "cli/commands.h"
 #include "cli/files.h"
@@ -39,13 +38,7 @@ int verify_files(const std::vector<std::string>& arguments, const VerifyOptions&
       std::ranges::all_of(run.files, [](const auto& f) { return report::claims(f).empty(); });
   if (nothing && !options.claims.empty()) throw Failure{usage, "no claim has such an id\n"};
   write_run(run, outputs);
-  for (const auto& file : run.files)
-    for (const report::ClaimRun* claim : report::claims(file))
-      for (const report::Outcome* outcome :
-           {&claim->printed, claim->corrected ? &*claim->corrected : nullptr})
-        if (outcome && !outcome->alarm.empty())
-          std::cerr << "soundness alarm: " << claim->id
-                    << ": the checker did not accept the evidence: " << outcome->alarm << "\n";
+  tell_alarms(run);
   return report::exit_status(run, outputs.allow_undecided);
 }
 

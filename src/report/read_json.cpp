@@ -32,6 +32,13 @@ Json parsed(std::string_view bytes) {
   }
 }
 
+// Files are named by ids.
+void read_id(const JsonReader& from, std::string& id) {
+  from.read(id);
+  if (id.find('/') != std::string::npos || id.find('\0') != std::string::npos)
+    from.fail("no id has a slash or a zero byte");
+}
+
 void read_outcome(const JsonReader& from, Outcome& outcome) {
   from.at("verdict").read(outcome.verdict);
   outcome.reason = from.text("reason");
@@ -44,7 +51,7 @@ void read_outcome(const JsonReader& from, Outcome& outcome) {
 
 ClaimRun claim(const JsonReader& from) {
   ClaimRun claim;
-  from.at("id").read(claim.id);
+  read_id(from.at("id"), claim.id);
   from.at("expected").read(claim.expected);
   from.at("using").read(claim.using_claims);
   read_outcome(from, claim.printed);
@@ -59,7 +66,7 @@ ClaimRun claim(const JsonReader& from) {
 
 AskRun ask(const JsonReader& from) {
   AskRun ask;
-  from.at("id").read(ask.id);
+  read_id(from.at("id"), ask.id);
   ask.decimal = from.text("decimal");
   ask.closed_form = from.text("closed_form");
   ask.detail = from.text("detail");
@@ -70,6 +77,7 @@ AskRun ask(const JsonReader& from) {
 FigureRun figure(const JsonReader& from) {
   FigureRun figure;
   from.read(figure);
+  if (from.has("id")) read_id(from.at("id"), figure.id);
   const std::size_t points = figure.points.size();
   if (!figure.normals.empty() && figure.normals.size() != points)
     from.fail("there are not as many normals as points");
@@ -113,6 +121,7 @@ class Waiting {
 TableRun table(const JsonReader& from, Waiting<ClaimRun>& claims) {
   TableRun table;
   fields(from, table);
+  if (from.has("id")) read_id(from.at("id"), table.id);
   for (const JsonReader& entry : from.list("rows")) {
     TableRun::Row& row = table.rows.emplace_back();
     fields(entry, row);

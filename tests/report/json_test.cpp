@@ -25,6 +25,7 @@ TEST(Json, a_claim_has_the_fields_of_the_contract_in_its_order) {
   EXPECT_EQ(json({"seamproof 0.1.0", {file}}), R"({
  "schema_version": 1,
  "tool": "seamproof 0.1.0",
+ "libraries": [],
  "files": [
   {
    "file": "a.seam",
@@ -40,25 +41,18 @@ TEST(Json, a_claim_has_the_fields_of_the_contract_in_its_order) {
      "reason": null,
      "detail": null,
      "witness": "u = 0",
-     "method": [
-      "normal form"
-     ],
+     "method": ["normal form"],
      "obligations": 3,
      "certificate": "certificates/a.smooth.json",
-     "using": []
+     "using": [],
+     "findings": [{"status":"open"},{"status":"open"},{"status":"open"}]
     }
    ],
-   "asks": []
+   "asks": [],
+   "items": [{"claim":"a.smooth"}]
   }
  ],
- "summary": {
-  "claims": 1,
-  "proven": 0,
-  "refuted": 1,
-  "conditional": 0,
-  "undecided": 0,
-  "as_expected": 1
- }
+ "summary": {"claims":1,"proven":0,"refuted":1,"conditional":0,"undecided":0,"as_expected":1}
 }
 )");
 }
