@@ -29,7 +29,8 @@ class Report : public testing::Test {
   ~Report() override { fs::remove_all(folder_); }
 
   Finished in_folder(const std::string& line) const {
-    return run("cd " + quoted(folder_.string()) + " && " + line);
+    return run("cd " + quoted(folder_.string()) +
+               " && export XDG_CACHE_HOME=\"$PWD/store\" && " + line);
   }
   Finished seamproof(const std::string& words) const {
     return in_folder(quoted(SEAMPROOF) + " " + words + " 2>&1");
