@@ -53,6 +53,8 @@ std::string latex_item(const AskRun& ask) {
   result += latex_call("SeamFormula", {value});
   if (!ask.decimal.empty())
     result += latex_call("SeamLine", {"certified decimal", escape(ask.decimal)});
+  if (ask.closed_form_latex.empty() && !ask.closed_form.empty())
+    result += latex_call("SeamLine", {"closed form", escape(ask.closed_form)});
   if (!ask.detail.empty()) result += latex_call("SeamLine", {"reason", escape(ask.detail)});
   return result + "\\end{SeamIndent}\n";
 }

@@ -30,7 +30,7 @@
       number += fits;
     });
     const all = number === claims.length;
-    count.textContent = all ? `${number} claims` : `${number} of ${claims.length} claims`;
+    count.textContent = (all ? "" : `${number} of `) + (claims.length === 1 ? "1 claim" : `${claims.length} claims`);
     // While something is looked for, what is not a claim is in the way.
     for (const other of document.querySelectorAll(".part > :not(h2):not(article.claim):not(.cells)")) other.hidden = !all;
     for (const cells of document.querySelectorAll("details.cells")) {
