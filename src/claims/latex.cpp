@@ -13,11 +13,17 @@ using Children = std::vector<Expression>;
 
 constexpr std::size_t widest_pmatrix = 10;
 
-bool begins_with_digit(const std::string& tex) {
-  return !tex.empty() && tex.front() >= '0' && tex.front() <= '9';
+// What looks like one number with a number in front of it: another, also with an exponent, or a
+// fraction.
+bool continues_number(const std::string& tex) {
+  const std::size_t first = std::min(tex.find_first_not_of('{'), tex.size());
+  const std::string_view rest = std::string_view(tex).substr(first);
+  return !rest.empty() &&
+         ((rest.front() >= '0' && rest.front() <= '9') || rest.starts_with("\\frac"));
 }
 
-// `3x`, `3(a + b)`, but `3 \cdot 4` and `a \cdot (b + c)`, which else would look like a call.
+// `3x`, `3(a + b)`, but `3 \cdot 4`, `3 \cdot 4^k`, `3 \cdot \frac12` and `a \cdot (b + c)`,
+// which else would look like a call.
 Typeset product(const Expression& e) {
   const std::string left = typeset(e.children[0], Level::product);
   const std::string right = typeset(e.children[1], Level::power);
@@ -25,7 +31,7 @@ Typeset product(const Expression& e) {
                                ? e.children[0].children[1]
                                : e.children[0];
   const bool names = last.kind == Kind::name && e.children[1].kind == Kind::name;
-  const bool side_by_side = last.kind == Kind::number && !begins_with_digit(right);
+  const bool side_by_side = last.kind == Kind::number && !continues_number(right);
   return {left + (side_by_side ? " " : names ? "\\, " : " \\cdot ") + right, Level::product};
 }
 

@@ -33,7 +33,7 @@ Typeset derivative(const Expression& call, const std::string& order) {
   const std::string up = order.empty() ? "" : "^{" + order + "}";
   return {"\\frac{\\partial" + up + "}{\\partial " + plain(call, 2) + up + "} " +
               typeset(argument(call, 1), Level::postfix),
-          Level::product};
+          Level::sum};
 }
 
 const std::map<std::string, Notation, std::less<>>& notations() {

@@ -29,8 +29,10 @@ std::string binary_macro(Kind kind) {
 
 Typeset connective(const Expression& e) {
   const Level own = level(e);
+  // A chain of equivalences would read as one that all are equivalent.
+  const bool left = e.kind == Kind::conjunction || e.kind == Kind::disjunction;
   const bool right = e.kind == Kind::implication;
-  return {typeset(e.children[0], right ? tighter(own) : own) + binary_macro(e.kind) +
+  return {typeset(e.children[0], left ? own : tighter(own)) + binary_macro(e.kind) +
               typeset(e.children[1], right ? own : tighter(own)),
           own};
 }

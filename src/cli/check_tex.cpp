@@ -56,8 +56,6 @@ class Checking {
   }
 
   int run(const Paper& paper) {
-    for (const Mention& mention : paper.mentions)
-      if (mention.kind == Mention::Kind::known_status) stated_[mention.id] = mention.argument;
     for (const Unread& unread : paper.unread)
       std::cerr << place_of(unread.where) << ": not read: '" << unread.name
                 << "' is not in the folder of the paper\n";
@@ -65,6 +63,7 @@ class Checking {
     for (const Mention& mention : paper.mentions) {
       if (mention.kind == Mention::Kind::value) value(mention);
       if (mention.kind == Mention::Kind::status) status(mention);
+      if (mention.kind == Mention::Kind::known_status) state(mention);
     }
     for (const auto& error : errors_) std::cerr << text::render(error);
     std::cout << count_ << " printed, " << right_ << " right, " << wrong_ << " wrong, "
@@ -135,6 +134,14 @@ class Checking {
       result.remark = std::string("unsupported: ") + unsupported.what();
     }
     return result;
+  }
+
+  // From here on \spstatus{id} prints this.
+  void state(const Mention& mention) {
+    const auto [stated, is_new] = stated_.emplace(mention.id, mention.argument);
+    if (!is_new && stated->second != mention.argument)
+      complain(mention, "the paper states two verdicts on '" + mention.id +
+                            "': " + stated->second + " and " + mention.argument);
   }
 
   void status(const Mention& mention) {

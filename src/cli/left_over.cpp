@@ -58,4 +58,21 @@ void remove_vanished(const fs::path& folder, const Verified& verified) {
   remove_all(found);
 }
 
+void remove_outdated(const fs::path& folder, const std::set<std::string>& written) {
+  std::error_code error;
+  std::vector<fs::path> found;
+  const auto look_at = [&](const fs::path& file) {
+    if (!written.contains(file.lexically_relative(folder).generic_string()))
+      found.push_back(file);
+  };
+  for (const char* name : {"report.html", "report.pdf"}) look_at(folder / name);
+  for (const char* part : {"fragments", "figures"})
+    for (const auto& entry : fs::recursive_directory_iterator(folder / part, error)) {
+      const std::string kind = entry.path().extension().string();
+      for (const char* ours : {".tex", ".sty", ".svg", ".glb", ".pdf"})
+        if (kind == ours && entry.is_regular_file(error)) look_at(entry.path());
+    }
+  remove_all(found);
+}
+
 }  // namespace seam::cli

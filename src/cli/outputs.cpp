@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
+#include <map>
+#include <set>
 
 #include "certificate/json.h"
 #include "check/library.h"
@@ -71,6 +73,11 @@ report::Colour colour_of(const std::string& word) {
   return word == "never" ? report::Colour::never : report::Colour::automatic;
 }
 
+std::string bytes_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
 // What was there before is another step's.
 void append(const fs::path& path, const std::string& bytes) {
   std::ofstream file(path, std::ios::binary | std::ios::app);
@@ -90,14 +97,24 @@ void write_folder(const fs::path& folder, const Verified& verified, const Output
   remove_vanished(folder, verified);
   for (const auto& [name, certificate] : verified.certificates)
     write(folder / name, certificate::write(certificate));
+  const bool is_news = bytes_of(folder / "results.json") != results;
   write(folder / "results.json", results);
   write(folder / "report.tex", report::latex(run));
   if (outputs.html) write(folder / "report.html", report::html(run));
-  if (outputs.fragments)
-    for (const auto& [name, bytes] : report::fragments(file))
-      write(folder / "fragments" / name, bytes);
+  const auto fragments =
+      outputs.fragments ? report::fragments(file) : std::map<std::string, std::string>();
+  for (const auto& [name, bytes] : fragments) write(folder / "fragments" / name, bytes);
   write_figures(folder / "figures", file, outputs.pdf);
   if (outputs.pdf) check(report::typeset(folder / "report.tex"));
+  std::set<std::string> written;
+  for (const auto& [name, bytes] : fragments) written.insert("fragments/" + name);
+  for (const auto& [name, figure] : report::figures(file))
+    for (const char* kind : {".svg", ".glb", ".pdf"})
+      if (outputs.pdf || std::string_view(kind) != ".pdf")
+        written.insert("figures/" + (name + kind));
+  if (outputs.html) written.insert("report.html");
+  if (outputs.pdf) written.insert("report.pdf");
+  if (is_news) remove_outdated(folder, written);
 }
 
 report::FileRun unread(const fs::path& file, const Failure& failure) {

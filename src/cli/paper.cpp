@@ -6,54 +6,31 @@
 #include <set>
 
 #include "cli/files.h"
+#include "cli/tex_words.h"
 
 namespace seam::cli {
 namespace fs = std::filesystem;
 namespace {
 
-bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '@';
-}
-bool is_blank(char c) {
-  return c == ' ' || c == '\t' || c == '\n' || c == '\r';
-}
-
-bool among(const std::string& word, std::initializer_list<std::string_view> words) {
-  return std::ranges::find(words, word) != words.end();
-}
-
-bool is_verbatim(const std::string& environment) {
-  return among(environment,
-               {"verbatim", "verbatim*", "Verbatim", "Verbatim*", "BVerbatim", "lstlisting",
-                "minted", "comment", "filecontents", "filecontents*"});
-}
-
-bool defines(const std::string& word) {
-  return among(word, {"newcommand", "renewcommand", "providecommand", "DeclareRobustCommand",
-                      "def", "gdef", "edef", "xdef", "let", "protected@edef"});
-}
-
-std::string trimmed(std::string text) {
-  while (!text.empty() && is_blank(text.back())) text.pop_back();
-  text.erase(0, std::min(text.find_first_not_of(" \t\r\n"), text.size()));
-  return text;
-}
-
-// Reads one file, and through `Files` those that it inputs.
+// Reads one file, and through `Files` those that it inputs. Where it is not certain that TeX
+// skips a text, the text is read: better a mention too many is checked than one too few. So
+// \endinput ends nothing, and what stands in a definition skips nothing.
 class Files;
 
 class Scanner {
  public:
-  Scanner(std::shared_ptr<const text::Source> source, Files& files)
-      : source_(std::move(source)), text_(source_->bytes), files_(files) {}
+  Scanner(std::shared_ptr<const text::Source> source, Files& files, bool is_part)
+      : source_(std::move(source)), text_(source_->bytes), files_(files), is_part_(is_part) {}
 
   void run();
 
  private:
   void word(std::size_t begin);
   void mention(Mention::Kind kind, std::size_t begin);
+  bool continues(std::size_t begin) const;
   void begin_environment();
   void skip_verb();
+  void skip_address();
   void skip_false();
   void input();
   void import();
@@ -109,11 +86,20 @@ class Scanner {
   Files& files_;
   std::size_t at_ = 0;
   std::string last_word_;  // the control word before
+  bool is_let_ = false;    // the word before was the one that \let gives a meaning
+  int depth_ = 0;          // of braces
   bool is_done_ = false;
+  bool is_part_ = false;  // of a document: its own \end{document} ends nothing
+
+  // A text between braces may be a definition, or never be set.
+  bool is_outside() const { return depth_ == 0; }
 };
 
 class Files {
  public:
+  std::set<std::string> conditionals;  // made by \newif
+  std::vector<fs::path> folders;       // of \import, the innermost last
+
   explicit Files(const fs::path& main)
       : open_(opener_beside(main)), folder_(main.parent_path()) {}
 
@@ -121,14 +107,16 @@ class Files {
   void input(const std::string& name, const text::Span& where) {
     const fs::path path(name);
     if (among(path.extension().string(), {".sty", ".cls", ".clo", ".def", ".cfg"})) return;
-    for (const std::string& file : {name + ".tex", name}) {
+    const fs::path below = folders.empty() ? fs::path() : folders.back();
+    for (const std::string& file :
+         {(below / (name + ".tex")).string(), (below / name).string()}) {
       if (seen_.contains(fs::path(file).lexically_normal())) return;
       const auto source = open_(file);
       if (!source) continue;
       seen_.insert(fs::path(file).lexically_normal());
       Scanner(std::make_shared<const text::Source>(
-                  text::Source{(folder_ / file).string(), source->bytes}),
-              *this)
+                  text::Source{(folder_ / file).string(), with_line_ends(source->bytes)}),
+              *this, true)
           .run();
       return;
     }
@@ -136,7 +124,6 @@ class Files {
   }
 
   Paper paper;
-  bool is_document_over = false;
 
  private:
   claims::Opener open_;
@@ -145,14 +132,16 @@ class Files {
 };
 
 void Scanner::run() {
-  while (at_ < text_.size() && !is_done_ && !files_.is_document_over) {
+  while (at_ < text_.size() && !is_done_) {
     const char c = text_[at_];
     if (c == '%') {
       skip_comment();
     } else if (c == '\\') {
       word(at_++);
     } else {
-      if (c != '{' && c != '*' && !is_blank(c)) last_word_.clear();
+      if (c != '{' && c != '*' && c != '=' && !is_blank(c)) last_word_.clear();
+      if (c == '{') ++depth_;
+      if (c == '}') depth_ = std::max(0, depth_ - 1);
       ++at_;
     }
   }
@@ -161,15 +150,20 @@ void Scanner::run() {
 void Scanner::word(std::size_t begin) {
   const std::string word = name();
   const bool is_defined_here = defines(last_word_);
+  const bool is_made = last_word_ == "newif",
+             is_compared = among(last_word_, {"ifx", "string", "noexpand"});
+  const bool is_target = is_let_ || is_compared;
+  if (is_made && word.starts_with("if")) files_.conditionals.insert(word);
+  is_let_ = is_defined_here && last_word_ == "let";
   last_word_ = word;
-  if (is_defined_here) return;
+  if (is_defined_here || is_made) return;
   if (word == "spval") return mention(Mention::Kind::value, begin);
   if (word == "spstatus") return mention(Mention::Kind::status, begin);
   if (word == "SeamStatus") return mention(Mention::Kind::known_status, begin);
-  if (word == "begin") return begin_environment();
-  if (word == "end") files_.is_document_over = argument() == "document";
-  if (word == "endinput") is_done_ = true;
-  if (word == "iffalse") skip_false();
+  if (among(word, {"url", "href", "path", "nolinkurl"})) return skip_address();
+  if (word == "begin" && is_outside()) return begin_environment();
+  if (word == "end" && is_outside() && argument() == "document" && !is_part_) is_done_ = true;
+  if (word == "iffalse" && !is_target && is_outside()) skip_false();
   if (among(word, {"verb", "lstinline", "mintinline"})) skip_verb();
   if (among(word, {"input", "include", "subfile", "InputIfFileExists"})) input();
   if (among(word, {"import", "subimport"})) import();
@@ -191,9 +185,31 @@ void Scanner::mention(Mention::Kind kind, std::size_t begin) {
                                    "macros are not expanded; write the id and the number"});
     return;
   }
+  if (kind == Mention::Kind::value && continues(begin)) {
+    files_.paper.errors.push_back({span(begin), "the number goes on outside the braces",
+                                   "write all of it, with its sign, inside"});
+    return;
+  }
   std::string plain = *id;  // `\_` is the underscore of an id
   std::erase(plain, '\\');
   files_.paper.mentions.push_back({kind, plain, second.value_or(""), span(begin)});
+}
+
+// Whether a digit, a power of ten or a sign that is no difference stands at a printed number.
+bool Scanner::continues(std::size_t begin) const {
+  const std::string_view all(text_);
+  const std::string_view after = all.substr(at_), before = all.substr(0, begin);
+  if (!after.empty() &&
+      (is_digit(after[0]) || (after[0] == '.' && after.size() > 1 && is_digit(after[1]))))
+    return true;
+  for (const char* power : {"\\times10", "\\times 10", "\\cdot10", "\\cdot 10"})
+    if (after.starts_with(power)) return true;
+  if (before.empty()) return false;
+  if (is_digit(before.back()) || before.back() == '.') return true;
+  if (before.back() != '-') return false;
+  const std::size_t left = before.find_last_not_of(" \t\n", before.size() - 2);
+  return before.size() < 2 || left == before.npos ||
+         std::string_view("=$(,<>~[{&").find(before[left]) != before.npos;
 }
 
 void Scanner::begin_environment() {
@@ -216,6 +232,20 @@ void Scanner::skip_verb() {
   at_ = end == std::string::npos || end > line ? line : end + 1;
 }
 
+// \url{…}, \href{…}: a % in an address begins no comment.
+void Scanner::skip_address() {
+  while (at_ < text_.size() && is_blank(text_[at_])) ++at_;
+  if (at_ >= text_.size() || text_[at_] != '{') return;
+  int depth = 0;
+  for (std::size_t end = at_; end < text_.size() && text_[end] != '\n'; ++end) {
+    if (text_[end] == '{') ++depth;
+    if (text_[end] == '}' && --depth == 0) {
+      at_ = end + 1;
+      return;
+    }
+  }
+}
+
 // To the \fi that belongs to an \iffalse.
 void Scanner::skip_false() {
   for (int depth = 1; at_ < text_.size() && depth > 0;) {
@@ -225,7 +255,7 @@ void Scanner::skip_false() {
       const std::string word = name();
       if (word == "fi") --depth;
       if (word == "else" && depth == 1) return;
-      if (word.starts_with("if") && word != "iff") ++depth;
+      if (is_conditional(word, files_.conditionals)) ++depth;
     }
   }
 }
@@ -247,14 +277,22 @@ void Scanner::input() {
 void Scanner::import() {
   const std::size_t begin = at_;
   const auto folder = argument(), file = folder ? argument() : std::nullopt;
-  if (file) files_.input((fs::path(*folder) / *file).string(), span(begin));
+  if (!file) return;
+  const fs::path below = files_.folders.empty() ? fs::path() : files_.folders.back();
+  files_.folders.push_back(below / *folder);
+  files_.input(*file, span(begin));
+  files_.folders.pop_back();
 }
 
 }  // namespace
 
 Paper read_paper(const fs::path& path) {
   Files files(path);
-  Scanner(open(path), files).run();
+  const auto source = open(path);
+  Scanner(std::make_shared<const text::Source>(
+              text::Source{source->name, with_line_ends(source->bytes)}),
+          files, false)
+      .run();
   return std::move(files.paper);
 }
 

@@ -29,6 +29,15 @@ std::optional<PrintedNumber> printed_in(const Expression& statement) {
   return printed;
 }
 
+// Whether two statements `E ~ 0.25` print the same E.
+bool is_of_same_value(const Expression& a, const Expression& b) {
+  const auto value = [](const Expression& e) -> const Expression& {
+    const bool truncated = e.kind == Expression::Kind::truncated;
+    return (truncated ? e.children[0] : e).children[0];
+  };
+  return printed_in(b) && claims::same(value(a), value(b));
+}
+
 std::map<std::string, const claims::Claim*> claims_of(const claims::Meaning& meaning) {
   std::map<std::string, const claims::Claim*> all;
   for (const auto& item : meaning.items) {
@@ -84,7 +93,8 @@ void add_true_digits(report::FileRun& run, const claims::Meaning& meaning,
     const auto printed = printed_in(as_written.statement);
     if (!printed) continue;
     std::optional<PrintedNumber> right;
-    if (claim->corrected && claim->corrected->verdict == Verdict::proven)
+    if (claim->corrected && claim->corrected->verdict == Verdict::proven &&
+        is_of_same_value(as_written.statement, *as_written.corrected))
       right = printed_in(*as_written.corrected);
     if (!right) {
       if (!numbers)

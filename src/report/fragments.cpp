@@ -28,13 +28,12 @@ std::map<std::string, std::string> fragments(const FileRun& file) {
     status += latex_call("SeamStatus", {claim->id, word(claim->printed.verdict)});
     result[file_name(claim->id)] = latex_claim(*claim);
   }
-  int figures = 0;
   for (const ItemRun& item : file.items) {
     if (const auto* table = std::get_if<TableRun>(&item))
       result["tables/" + file_name(table->id)] = latex_table(*table);
-    if (const auto* figure = std::get_if<FigureRun>(&item))
-      result["figures/" + std::to_string(++figures) + ".tex"] = picture(*figure);
   }
+  for (const auto& [name, figure] : figures(file))
+    result["figures/" + name + ".tex"] = picture(*figure);
   return result;
 }
 

@@ -41,6 +41,10 @@ TEST(ExpressionLatex, quotients_are_fractions_and_need_no_parentheses) {
 TEST(ExpressionLatex, products_do_not_look_like_calls) {
   EXPECT_EQ(typeset("3*x^2"), "3 {x}^{2}");
   EXPECT_EQ(typeset("3*4"), "3 \\cdot 4");
+  EXPECT_EQ(typeset("8*3^k"), "8 \\cdot {3}^{k}");
+  EXPECT_EQ(typeset("2*(1/2)"), "2 \\cdot \\frac{1}{2}");
+  EXPECT_EQ(typeset("diff(y, y)*y"),
+            "\\left( \\frac{\\partial}{\\partial y} y \\right) \\cdot y");
   EXPECT_EQ(typeset("a*(b + c)"), "a \\cdot (b + c)");
   EXPECT_EQ(typeset("a*b"), "a\\, b");
   EXPECT_EQ(typeset("2*-x - -y"), "2 (-x) - (-y)");

@@ -98,6 +98,43 @@ TEST_F(CheckTex, what_TeX_does_not_set_is_not_read) {
   EXPECT_EQ(status("\\iffalse\\else\\spval{third}{1}\\fi"), 1);
 }
 
+// Each of these papers prints a wrong value.
+TEST_F(CheckTex, what_TeX_may_set_is_not_passed_over) {
+  for (const char* paper :
+       {"\\let\\ifdraft\\iffalse \\ifdraft x\\fi \\spval{third}{1}",
+        "\\def\\draftfalse{\\let\\ifdraft=\\iffalse}\\spval{third}{1}",
+        "\\ifx\\ifdraft\\iffalse\\fi \\spval{third}{1}",
+        "\\href{https://a.b/c%20d}{e} \\spval{third}{1}", "\\url{a%b}, \\spval{third}{1}",
+        "\\ifdefined\\nothing\\endinput\\fi \\spval{third}{1}",
+        "\\newcommand{\\finish}{\\end{document}}\\spval{third}{1}",
+        "\\newcommand{\\code}{\\begin{verbatim}}\\spval{third}{1}",
+        "\\iffalse \\ifthenelse{a}{b}{c} \\fi \\spval{third}{1}",
+        "% a comment\rthe value \\spval{third}{1}\r"})
+    EXPECT_EQ(status(paper), 1) << paper;
+  EXPECT_EQ(status("\\newif\\ifdraft\\iffalse\\ifdraft a\\fi \\spval{third}{1}\\fi"), 0);
+}
+
+TEST_F(CheckTex, a_part_that_is_a_document_ends_only_itself) {
+  write("paper/part.tex", "\\begin{document}\\spval{third}{0.3}\\end{document}");
+  EXPECT_EQ(status("\\subfile{part} \\spval{third}{1}"), 1);
+}
+
+TEST_F(CheckTex, imported_files_input_from_their_own_folder) {
+  write("paper/parts/one.tex", "\\input{values}");
+  write("paper/parts/values.tex", "\\spval{third}{1}");
+  write("paper/values.tex", "\\spval{third}{0.3}");
+  EXPECT_EQ(status("\\import{parts/}{one}"), 1);
+  EXPECT_EQ(status("\\import{parts/}{one}\\input{values}"), 1);
+}
+
+TEST_F(CheckTex, a_number_that_goes_on_outside_its_braces_is_refused) {
+  for (const char* paper :
+       {"$x = -\\spval{third}{0.3}$", "1\\spval{third}{0.3}", "\\spval{third}{0.3}3",
+        "\\spval{third}{0.3}\\times10^{3}", "\\spval{third}{0.3}.5"})
+    EXPECT_EQ(status(paper), 65) << paper;
+  EXPECT_EQ(status("$x - \\spval{third}{0.3}$ and $2\\times\\spval{third}{0.3}$."), 0);
+}
+
 TEST_F(CheckTex, what_the_paper_inputs_is_read_once_and_nothing_above_its_folder) {
   write("paper/parts/one.tex", "\\input{parts/two} \\input{paper} \\spval{third}{0.3}");
   write("paper/parts/two.tex", "\\spval{third}{0.4}");
@@ -145,6 +182,8 @@ TEST_F(CheckTex, a_printed_verdict_is_that_of_the_claim) {
         "\\SeamStatus{half}{proven}\n\\SeamStatus{wrong}{proven}\n");
   EXPECT_EQ(status("\\input{seamproof-status}\\spstatus{half}"), 0);
   EXPECT_EQ(status("\\input{seamproof-status}\\spstatus{wrong}"), 1);
+  EXPECT_EQ(status("\\SeamStatus{wrong}{proven}\\spstatus{wrong}\\SeamStatus{wrong}{refuted}"),
+            65);
 }
 
 TEST_F(CheckTex, files_that_are_not_there_or_wrong_have_their_exit_status) {

@@ -80,7 +80,7 @@ TEST_F(Fragments, the_text_of_the_paper_has_the_values_and_the_verdicts) {
 TEST_F(Fragments, a_figure_needs_tikz_and_nothing_else) {
   std::ofstream(folder_ / "paper/paper.tex")
       << "\\documentclass{article}\\usepackage{tikz}\\input{seamproof.sty}\\begin{document}\n"
-         "\\input{fragments/figures/1}\\end{document}\n";
+         "\\input{fragments/figures/cube}\\end{document}\n";
   const Finished finished =
       in_folder("cd paper && pdflatex -interaction=nonstopmode -halt-on-error paper.tex");
   EXPECT_EQ(finished.status, 0) << finished.output;

@@ -169,6 +169,18 @@ TEST_F(Kept, a_run_that_is_killed_at_any_moment_ends_with_the_same_bytes_when_ru
   EXPECT_EQ(in_folder("diff -r without with").output, "");
 }
 
+TEST_F(Programs, pages_and_fragments_of_other_results_do_not_stay_beside_new_ones) {
+  write("a.seam", "claim a: 1 = 1\nclaim gone: 2 = 2\n");
+  EXPECT_EQ(seamproof("verify a.seam --out o --html --fragments --quiet").status, 0);
+  EXPECT_EQ(seamproof("verify a.seam --out o --quiet").status, 0);
+  EXPECT_TRUE(fs::exists(folder_ / "o/report.html"));  // the results are the same
+  write("a.seam", "claim a: 1 = 2\n");
+  EXPECT_EQ(seamproof("verify a.seam --out o --quiet").status, 1);
+  EXPECT_FALSE(fs::exists(folder_ / "o/report.html"));
+  EXPECT_FALSE(fs::exists(folder_ / "o/fragments/a.tex"));
+  EXPECT_FALSE(fs::exists(folder_ / "o/certificates/gone.json"));
+}
+
 TEST_F(Programs, certificates_of_claims_that_are_gone_go_too) {
   write("two.seam", "claim a: 1 + 1 = 2\nclaim b: 1 + 2 = 3\n");
   ASSERT_EQ(seamproof("verify two.seam --out out").status, 0);

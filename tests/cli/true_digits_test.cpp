@@ -16,7 +16,9 @@ namespace fs = std::filesystem;
 
 // The LaTeX report of a file.
 std::string report_of(const std::string& claims) {
-  const fs::path folder = fs::path(testing::TempDir()) / "seamproof_true_digits";
+  const fs::path folder = fs::path(testing::TempDir()) /
+                          (std::string("seamproof_true_digits_") +
+                           testing::UnitTest::GetInstance()->current_test_info()->name());
   fs::remove_all(folder);
   fs::create_directories(folder);
   std::ofstream(folder / "a.seam") << claims;
@@ -50,6 +52,11 @@ TEST(TrueDigits, digits_that_are_cut_off_are_not_rounded) {
 TEST(TrueDigits, of_an_extremum_they_are_certified_too) {
   EXPECT_TRUE(has_true_digits(
       report_of("claim a: max(u*(1 - u)*(2 - u) for u in [0, 1]) ~ 0.384\n"), "0.385"));
+}
+
+TEST(TrueDigits, of_a_correction_that_speaks_of_something_else_they_are_not_taken) {
+  EXPECT_TRUE(
+      has_true_digits(report_of("claim a: 1/3 ~ 0.34\n    corrected: 2/3 ~ 0.67\n"), "0.33"));
 }
 
 TEST(TrueDigits, a_claim_that_holds_has_none) {
