@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
+#include "claims/ids.h"
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "cli/interrupts.h"
@@ -8,10 +9,51 @@
 
 namespace seam::cli {
 namespace fs = std::filesystem;
+namespace {
+
+// The ids of claims and questions, and of tables, which are those of no claim.
+struct Ids {
+  std::vector<std::string> claims, tables;
+};
+
+Ids ids_of(const std::vector<fs::path>& files) {
+  Ids ids;
+  for (const fs::path& file : files) {
+    const claims::File parsed = claims::parse(open(file)).file;
+    for (const auto& claim : claims::named_claims(parsed, opener_beside(file)))
+      ids.claims.push_back(claim.id);
+    for (const claims::Item& item : parsed.items) {
+      if (item.kind == claims::Item::Kind::ask) ids.claims.push_back(item.name);
+      if (item.kind == claims::Item::Kind::table) ids.tables.push_back(item.name);
+    }
+  }
+  return ids;
+}
+
+// A slip in an id must not pass for a claim that holds.
+void refuse_unknown(const std::vector<std::string>& patterns,
+                    const std::vector<fs::path>& files) {
+  const Ids ids = ids_of(files);
+  for (const std::string& pattern : patterns) {
+    const auto fits = [&](const std::string& id) { return selected(id, {pattern}); };
+    if (std::ranges::any_of(ids.claims, fits)) continue;
+    const std::string near = text::nearest(pattern, ids.claims);
+    const bool is_table = std::ranges::find(ids.tables, pattern) != ids.tables.end();
+    throw Failure{usage,
+                  "no claim is named '" + pattern + "'" +
+                      (is_table       ? "; for the cells of the table write '" + pattern + ".*'"
+                       : near.empty() ? ""
+                                      : "; did you mean '" + near + "'?") +
+                      "\n"};
+  }
+}
+
+}  // namespace
 
 int verify_files(const std::vector<std::string>& arguments, const VerifyOptions& options,
                  const Outputs& outputs) {
   const std::vector<fs::path> files = seam_files(arguments);
+  if (!options.claims.empty()) refuse_unknown(options.claims, files);
   report::Run run{tool_name(), {}, libraries()};
   end_on_signals();
   for (const fs::path& file : files) {
@@ -34,9 +76,6 @@ int verify_files(const std::vector<std::string>& arguments, const VerifyOptions&
     }
     run.files.push_back(std::move(verified.run));
   }
-  const bool nothing =
-      std::ranges::all_of(run.files, [](const auto& f) { return report::claims(f).empty(); });
-  if (nothing && !options.claims.empty()) throw Failure{usage, "no claim has such an id\n"};
   write_run(run, outputs);
   tell_alarms(run);
   return report::exit_status(run, outputs.allow_undecided);

@@ -45,8 +45,19 @@ TEST_F(Programs, the_exit_status_says_what_was_wrong_with_the_input) {
   EXPECT_EQ(seamproof("verify missing.seam").status, 66);
 }
 
+TEST_F(Programs, a_slip_in_a_selected_id_is_named_and_nothing_passes) {
+  write("two.seam",
+        "claim smooth: 1 = 1\ntable t for k in 1..2: \"r\" k ~ 1, 2\nask q: 1 + 1\n");
+  const Finished slip = seamproof("verify two.seam --claim smooth --claim smoth");
+  EXPECT_EQ(slip.status, 64);
+  EXPECT_NE(slip.output.find("did you mean 'smooth'?"), std::string::npos) << slip.output;
+  EXPECT_NE(seamproof("verify two.seam --claim t").output.find("write 't.*'"),
+            std::string::npos);
+  EXPECT_EQ(seamproof("verify two.seam --claim 't.*' --claim q").status, 0);
+}
+
 TEST_F(Programs, an_option_that_may_be_repeated_takes_one_value_at_a_time) {
-  EXPECT_EQ(seamproof("verify --claim a --claim b right.seam").status, 0);
+  EXPECT_EQ(seamproof("verify --claim a --claim 'a*' right.seam").status, 0);
 }
 
 TEST_F(Programs, a_number_that_must_be_above_0_says_so) {
