@@ -169,7 +169,7 @@ class Checking {
     const bool is_decided =
         answer.verdict == Verdict::proven || answer.verdict == Verdict::refuted;
     answer.remark = printed == actual ? "" : "the claim is " + actual;
-    tell(mention, answer,
+    tell({mention.kind, mention.id, printed, mention.where}, answer,
          printed == actual ? Verdict::proven
          : is_decided      ? Verdict::refuted
                            : Verdict::undecided);

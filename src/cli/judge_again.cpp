@@ -5,7 +5,6 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <functional>
 #include <optional>
 #include <set>
 #include <vector>
@@ -33,14 +32,6 @@ struct Exhibit {
   std::optional<Certificate> certificate;
   std::string objection;  ///< empty: none
 };
-
-void each_claim(report::FileRun& file, const std::function<void(report::ClaimRun&)>& f) {
-  for (report::ItemRun& item : file.items) {
-    if (auto* claim = std::get_if<report::ClaimRun>(&item)) f(*claim);
-    if (auto* table = std::get_if<report::TableRun>(&item))
-      for (auto& row : table->rows) std::ranges::for_each(row.cells, f);
-  }
-}
 
 bool is_in_its_folder(const std::string& name) {
   const fs::path path(name);
@@ -114,20 +105,19 @@ std::string unproven(const report::ClaimRun& claim, const std::set<std::string>&
   return used == claim.using_claims.end() ? "" : *used;
 }
 
-std::set<std::string> established(report::FileRun& file) {
+std::set<std::string> established(const report::FileRun& file) {
   std::set<std::string> proven;
   for (bool grows = true; grows;) {
     grows = false;
-    each_claim(file, [&](const report::ClaimRun& claim) {
-      if (claim.printed.verdict == Verdict::proven && unproven(claim, proven).empty())
-        grows = proven.insert(claim.id).second || grows;
-    });
+    for (const report::ClaimRun* claim : report::claims(file))
+      if (claim->printed.verdict == Verdict::proven && unproven(*claim, proven).empty())
+        grows = proven.insert(claim->id).second || grows;
   }
   return proven;
 }
 
 // What the results say of conditions, before anything is withdrawn.
-void check_conditions(report::FileRun& file, std::vector<Exhibit>& exhibits) {
+void check_conditions(const report::FileRun& file, std::vector<Exhibit>& exhibits) {
   const std::set<std::string> proven = established(file);
   for (Exhibit& exhibit : exhibits) {
     const std::string used = unproven(*exhibit.claim, proven);
@@ -152,10 +142,10 @@ void make_conditional(report::Outcome& outcome, const std::string& used) {
 std::map<std::string, Certificate> judge_again(report::FileRun& file, const fs::path& folder,
                                                int jobs) {
   std::vector<Exhibit> exhibits;
-  each_claim(file, [&](report::ClaimRun& claim) {
-    exhibits.push_back({&claim, &claim.printed, false, {}, {}});
-    if (claim.corrected) exhibits.push_back({&claim, &*claim.corrected, true, {}, {}});
-  });
+  for (report::ClaimRun* claim : report::claims(file)) {
+    exhibits.push_back({claim, &claim->printed, false, {}, {}});
+    if (claim->corrected) exhibits.push_back({claim, &*claim->corrected, true, {}, {}});
+  }
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   std::max(1, jobs));
   tbb::parallel_for(std::size_t{0}, exhibits.size(),

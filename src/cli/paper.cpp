@@ -30,7 +30,7 @@ class Scanner {
   bool continues(std::size_t begin) const;
   void begin_environment();
   void skip_verb();
-  void skip_address();
+  void skip_literal();
   void skip_false();
   void input();
   void import();
@@ -160,7 +160,7 @@ void Scanner::word(std::size_t begin) {
   if (word == "spval") return mention(Mention::Kind::value, begin);
   if (word == "spstatus") return mention(Mention::Kind::status, begin);
   if (word == "SeamStatus") return mention(Mention::Kind::known_status, begin);
-  if (among(word, {"url", "href", "path", "nolinkurl"})) return skip_address();
+  if (among(word, {"url", "href", "path", "nolinkurl"})) return skip_literal();
   if (word == "begin" && is_outside()) return begin_environment();
   if (word == "end" && is_outside() && argument() == "document" && !is_part_) is_done_ = true;
   if (word == "iffalse" && !is_target && is_outside()) skip_false();
@@ -224,16 +224,18 @@ void Scanner::begin_environment() {
 void Scanner::skip_verb() {
   if (last_word_ == "mintinline") argument();
   if (at_ < text_.size() && text_[at_] == '*') ++at_;
+  while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t')) ++at_;
   if (last_word_ != "verb" && at_ < text_.size() && text_[at_] == '[')
     at_ = std::min(text_.find(']', at_), text_.size() - 1) + 1;
-  if (at_ >= text_.size() || (last_word_ != "verb" && argument())) return;
+  if (at_ >= text_.size()) return;
+  if (last_word_ != "verb" && text_[at_] == '{') return skip_literal();
   const std::size_t line = std::min(text_.find('\n', at_), text_.size());
   const std::size_t end = text_.find(text_[at_], at_ + 1);
   at_ = end == std::string::npos || end > line ? line : end + 1;
 }
 
-// \url{…}, \href{…}: a % in an address begins no comment.
-void Scanner::skip_address() {
+// What stands between braces as it is, such as the address in \url{…}: a % begins no comment.
+void Scanner::skip_literal() {
   while (at_ < text_.size() && is_blank(text_[at_])) ++at_;
   if (at_ >= text_.size() || text_[at_] != '{') return;
   int depth = 0;

@@ -20,9 +20,8 @@ bool among(const std::string& word, std::initializer_list<std::string_view> word
 }
 
 bool is_verbatim(const std::string& environment) {
-  return among(environment,
-               {"verbatim", "verbatim*", "Verbatim", "Verbatim*", "BVerbatim", "lstlisting",
-                "minted", "comment", "filecontents", "filecontents*"});
+  return among(environment, {"verbatim", "verbatim*", "Verbatim", "Verbatim*", "BVerbatim",
+                             "lstlisting", "minted", "comment"});
 }
 
 bool defines(const std::string& word) {

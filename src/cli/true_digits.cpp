@@ -50,18 +50,6 @@ std::map<std::string, const claims::Claim*> claims_of(const claims::Meaning& mea
   return all;
 }
 
-// The claims of a run that may be changed.
-std::vector<report::ClaimRun*> runs_of(report::FileRun& run) {
-  std::vector<report::ClaimRun*> all;
-  for (report::ItemRun& item : run.items) {
-    if (auto* claim = std::get_if<report::ClaimRun>(&item)) all.push_back(claim);
-    if (auto* table = std::get_if<report::TableRun>(&item))
-      for (auto& row : table->rows)
-        for (report::ClaimRun& cell : row.cells) all.push_back(&cell);
-  }
-  return all;
-}
-
 }  // namespace
 
 Decided decide(const claims::NamedNumbers::Statement& statement, const VerifyOptions& options) {
@@ -87,7 +75,7 @@ void add_true_digits(report::FileRun& run, const claims::Meaning& meaning,
                      const std::filesystem::path& file, const VerifyOptions& options) {
   const auto written = claims_of(meaning);
   std::unique_ptr<claims::NamedNumbers> numbers;
-  for (report::ClaimRun* claim : runs_of(run)) {
+  for (report::ClaimRun* claim : report::claims(run)) {
     if (claim->printed.verdict != Verdict::refuted) continue;
     const claims::Claim& as_written = *written.at(claim->id);
     const auto printed = printed_in(as_written.statement);

@@ -179,14 +179,10 @@ class Assembly {
   }
 
   report::AskRun ask(const claims::MeantAsk& meant) {
-    report::AskRun run{meant.id,
-                       claims::latex(meant.expression),
-                       claims::format(meant.expression),
-                       {},
-                       {},
-                       {},
-                       {},
-                       0};
+    report::AskRun run;
+    run.id = meant.id;
+    run.latex = claims::latex(meant.expression);
+    run.text = claims::format(meant.expression);
     const auto task = std::ranges::find_if(
         tasks_, [&](const Task& t) { return t.question.lowered == &meant.statement; });
     if (task == tasks_.end()) return run;

@@ -164,14 +164,12 @@ std::string html_table(const TableRun& table) {
 }
 
 std::string html_ask(const AskRun& ask) {
-  const std::string closed = ask.closed_form_latex.empty() ? html_code(ask.closed_form)
-                                                           : html_inline(ask.closed_form_latex);
   return html_element(
              "article class=\"ask\" id=\"" + html_anchor(ask.id) + "\"",
              heading(ask.id, "", "", html_element("span class=\"verdict\"", "= value")) +
                  html_formula(ask.latex) +
                  html_terms({{"certified decimal", html_code(ask.decimal)},
-                             {"closed form", closed},
+                             {"closed form", html_code(ask.closed_form)},
                              {"reason", html_escape(ask.detail)}})) +
          "\n";
 }

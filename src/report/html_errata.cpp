@@ -48,9 +48,10 @@ std::string list(const std::vector<ErrataPlace>& places) {
 std::string folded(const std::string& words, const std::vector<ErrataPlace>& places) {
   std::size_t count = 0;
   for (const ErrataPlace& place : places) count += place.claims.size();
-  return html_element("details", html_element("summary", words + ", by their places in the paper: " +
-                                                     std::to_string(count)) +
-                                     "\n" + list(places)) +
+  return html_element("details",
+                      html_element("summary", words + ", by their places in the paper: " +
+                                                  std::to_string(count)) +
+                          "\n" + list(places)) +
          "\n";
 }
 
@@ -60,12 +61,11 @@ std::string html_errata(const FileRun& file) {
   const Errata all = errata(file);
   std::string result;
   if (!all.known.empty())
-    result += html_section("errata", errata_known_title,
-                           html_element("p", errata_known_words) +
-                               folded("corrections", all.known));
+    result +=
+        html_section("errata", errata_known_title,
+                     html_element("p", errata_known_words) + folded("corrections", all.known));
   if (!all.others.empty())
-    result += html_section("refuted", errata_others_title,
-                           folded("claims", all.others));
+    result += html_section("refuted", errata_others_title, folded("claims", all.others));
   return result;
 }
 

@@ -93,7 +93,6 @@ template <typename Archive, Some<AskRun> T>
 void fields(Archive& archive, T& ask) {
   archive("text", ask.text);
   archive("latex", ask.latex);
-  archive("closed_form_latex", ask.closed_form_latex);
 }
 
 template <typename Archive, Some<ErrorRun> T>

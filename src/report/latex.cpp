@@ -48,12 +48,10 @@ std::string latex_item(const AskRun& ask) {
       latex_call("SeamQuestion",
                  {escape(ask.id), ask.decimal.empty() ? "no answer" : "value"}) +
       "\\begin{SeamIndent}\n";
-  std::string value = mathematics(ask.latex);
-  if (!ask.closed_form_latex.empty()) value += " = " + mathematics(ask.closed_form_latex);
-  result += latex_call("SeamFormula", {value});
+  result += latex_call("SeamFormula", {mathematics(ask.latex)});
   if (!ask.decimal.empty())
     result += latex_call("SeamLine", {"certified decimal", escape(ask.decimal)});
-  if (ask.closed_form_latex.empty() && !ask.closed_form.empty())
+  if (!ask.closed_form.empty())
     result += latex_call("SeamLine", {"closed form", escape(ask.closed_form)});
   if (!ask.detail.empty()) result += latex_call("SeamLine", {"reason", escape(ask.detail)});
   return result + "\\end{SeamIndent}\n";

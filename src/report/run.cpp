@@ -27,6 +27,18 @@ void count(const FileRun& file, Summary& summary) {
   }
 }
 
+template <typename Claim>
+std::vector<Claim*> claims_in(auto& file) {
+  std::vector<Claim*> found;
+  for (auto& item : file.items) {
+    if (auto* claim = std::get_if<ClaimRun>(&item)) found.push_back(claim);
+    if (auto* table = std::get_if<TableRun>(&item))
+      for (auto& row : table->rows)
+        for (auto& cell : row.cells) found.push_back(&cell);
+  }
+  return found;
+}
+
 bool decided(const Outcome& outcome) {
   return outcome.verdict == Verdict::proven || outcome.verdict == Verdict::refuted;
 }
@@ -56,14 +68,11 @@ std::string in_short(const Outcome& outcome) {
 }  // namespace
 
 std::vector<const ClaimRun*> claims(const FileRun& file) {
-  std::vector<const ClaimRun*> found;
-  for (const ItemRun& item : file.items) {
-    if (const auto* claim = std::get_if<ClaimRun>(&item)) found.push_back(claim);
-    if (const auto* table = std::get_if<TableRun>(&item))
-      for (const TableRun::Row& row : table->rows)
-        for (const ClaimRun& cell : row.cells) found.push_back(&cell);
-  }
-  return found;
+  return claims_in<const ClaimRun>(file);
+}
+
+std::vector<ClaimRun*> claims(FileRun& file) {
+  return claims_in<ClaimRun>(file);
 }
 
 bool as_expected(const ClaimRun& claim) {

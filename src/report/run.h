@@ -119,8 +119,7 @@ struct AskRun {
   std::string id, latex, text;
   std::string decimal;      ///< every digit certified; empty: no answer
   std::string closed_form;  ///< plain text; empty: none found
-  std::string closed_form_latex;
-  std::string detail;  ///< why there is no answer
+  std::string detail;       ///< why there is no answer
   double seconds = 0;
 };
 
@@ -154,6 +153,7 @@ struct Summary {
 
 /// The claims of a file in file order, the cells of tables among them.
 std::vector<const ClaimRun*> claims(const FileRun&);
+std::vector<ClaimRun*> claims(FileRun&);
 
 /// The verdict is the expected one, and the correction, where there is one, is proven.
 bool as_expected(const ClaimRun&);

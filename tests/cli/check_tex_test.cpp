@@ -109,6 +109,8 @@ TEST_F(CheckTex, what_TeX_may_set_is_not_passed_over) {
         "\\newcommand{\\finish}{\\end{document}}\\spval{third}{1}",
         "\\newcommand{\\code}{\\begin{verbatim}}\\spval{third}{1}",
         "\\iffalse \\ifthenelse{a}{b}{c} \\fi \\spval{third}{1}",
+        "\\verb |a|\\spval{third}{1} b", "\\lstinline{50 % of} \\spval{third}{1}",
+        "\\begin{filecontents*}{v.tex}\\spval{third}{1}\\end{filecontents*}\\input{v}",
         "% a comment\rthe value \\spval{third}{1}\r"})
     EXPECT_EQ(status(paper), 1) << paper;
   EXPECT_EQ(status("\\newif\\ifdraft\\iffalse\\ifdraft a\\fi \\spval{third}{1}\\fi"), 0);

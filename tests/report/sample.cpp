@@ -202,8 +202,8 @@ Run sample() {
       hostile(),
       table,
       AskRun{"K_max", "\\max_{S} K", "max(gauss(S))", "1.250000000000000000000000000000", "5/4",
-             "\\frac{5}{4}", "", 0.3},
-      AskRun{"K_min", "\\min_{S} K", "min(gauss(S))", "", "", "", "effort: no enclosure", 0.3}};
+             "", 0.3},
+      AskRun{"K_min", "\\min_{S} K", "min(gauss(S))", "", "", "effort: no enclosure", 0.3}};
   return {"seamproof 0.1.0", {file}};
 }
 
