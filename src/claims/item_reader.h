@@ -71,6 +71,7 @@ class Reader {
   void enclose(MeantAsk&, const Extremum&, int digits);
   void report(text::Diagnostic d) { meaning_.errors.push_back(std::move(d)); }
   void add_id(const std::string& id, const text::Span& where);
+  void add_ids(const Claim&, const text::Span& where);  ///< and that of its correction
 
   Meaning& meaning_;
   const Opener& open_;

@@ -183,11 +183,18 @@ void Reader::add_id(const std::string& id, const text::Span& where) {
   if (fresh) return;
   const auto first = text::position(*known->second.source, known->second.begin);
   report({where, "the id '" + id + "' is used twice",
-          "the first is in line " + std::to_string(first.line)});
+          "the first is in line " + std::to_string(first.line) +
+              (id.ends_with(".corrected") ? "; the correction of a claim 'a' is 'a.corrected'"
+                                          : "")});
+}
+
+void Reader::add_ids(const Claim& claim, const text::Span& where) {
+  add_id(claim.id, where);
+  if (claim.corrected) add_id(claim.id + ".corrected", where);
 }
 
 void Reader::claim(const Item& item) {
-  add_id(item.claim.id, item.name_span);
+  add_ids(item.claim, item.name_span);
   try {
     MeantClaim result = meant(item.claim, Scope{}, item.name_span);
     result.comments = item.comments;

@@ -51,7 +51,7 @@ void Reader::table(const Item& item) {
         cell.statement = compared(row.printed[k]);
         if (const auto right = row.corrected.find(k); right != row.corrected.end())
           cell.corrected = compared(right->second);
-        add_id(cell.id, row.value.span);
+        add_ids(cell, row.value.span);
         places_[cell.id] = {scope, evaluator_.standing};
         try {
           meant_row.cells.push_back(meant(cell, scope, row.printed[k].span));

@@ -129,7 +129,7 @@ class Checking {
       const auto right =
           certified(numbers, name, std::max(number.places() - number.exponent, 0),
                     number.truncated, options_);
-      result.remark = right ? "true digits: " + claims::text(*right) : "";
+      result.remark = right ? "true digits: " + claims::text(right->number) : "";
     } catch (const claims::Unsupported& unsupported) {
       result.remark = std::string("unsupported: ") + unsupported.what();
     }

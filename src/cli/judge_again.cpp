@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <optional>
 #include <set>
+#include <variant>
 #include <vector>
 
 #include "certificate/json.h"
@@ -67,24 +68,74 @@ std::string objection(const Exhibit& exhibit, const Certificate& certificate) {
   return {};
 }
 
+// The certificate, or why there is none.
+std::variant<Certificate, std::string> certificate_of(const std::string& name,
+                                                      const fs::path& folder) {
+  if (name.empty()) return "it has no certificate";
+  if (!is_in_its_folder(name)) return "its certificate is not in the folder certificates";
+  try {
+    return certificate::read(open(folder / name)->bytes);
+  } catch (const Failure&) {
+    return "its certificate is missing";
+  } catch (const std::exception& error) {
+    return std::string("its certificate cannot be read: ") + error.what();
+  }
+}
+
 void judge(Exhibit& exhibit, const fs::path& folder) {
   const report::Outcome& outcome = *exhibit.outcome;
-  if (outcome.certificate.empty()) {
-    if (outcome.verdict != Verdict::undecided) exhibit.objection = "it has no certificate";
+  if (outcome.certificate.empty() && outcome.verdict == Verdict::undecided) return;
+  auto found = certificate_of(outcome.certificate, folder);
+  if (const auto* reason = std::get_if<std::string>(&found)) {
+    exhibit.objection = *reason;
     return;
   }
-  if (!is_in_its_folder(outcome.certificate)) {
-    exhibit.objection = "its certificate is not in the folder certificates";
-    return;
+  exhibit.certificate = std::get<Certificate>(std::move(found));
+  exhibit.objection = objection(exhibit, *exhibit.certificate);
+}
+
+std::string objection(const report::Confirmation& confirmed, const std::set<std::string>& names,
+                      const Certificate& certificate) {
+  const std::string name = certificate.claim + (certificate.correction ? ".corrected" : "");
+  if (!names.contains(name)) return "its certificate is that of another claim";
+  if (certificate::digest(certificate.statement) != confirmed.digest)
+    return "its certificate is about another statement";
+  const check::Judgement judgement = check::judge(certificate.statement, certificate.evidence);
+  if (certificate.verdict != Verdict::proven || judgement.verdict != Verdict::proven)
+    return std::string("its evidence shows: ") + report::word(judgement.verdict) +
+           (judgement.reason.empty() ? "" : ", " + judgement.reason);
+  return {};
+}
+
+// Whether what is said beside the claims is confirmed by the certificate of one of these names.
+bool is_confirmed(report::Confirmation& confirmed, const std::set<std::string>& names,
+                  const fs::path& folder, std::map<std::string, Certificate>& certificates) {
+  auto found = certificate_of(confirmed.certificate, folder);
+  auto* const certificate = std::get_if<Certificate>(&found);
+  const std::string objected =
+      certificate ? objection(confirmed, names, *certificate) : std::get<std::string>(found);
+  if (objected.empty()) {
+    certificates[confirmed.certificate] = std::move(*certificate);
+    return true;
   }
-  try {
-    exhibit.certificate = certificate::read(open(folder / outcome.certificate)->bytes);
-    exhibit.objection = objection(exhibit, *exhibit.certificate);
-  } catch (const Failure&) {
-    exhibit.objection = "its certificate is missing";
-  } catch (const std::exception& error) {
-    exhibit.objection = std::string("its certificate cannot be read: ") + error.what();
+  confirmed = {{}, {}, confirmed.alarm.empty() ? objected : confirmed.alarm};
+  return false;
+}
+
+void judge_beside_claims(report::FileRun& file, const fs::path& folder,
+                         std::map<std::string, Certificate>& certificates) {
+  for (report::AskRun* ask : report::questions(file)) {
+    if (ask->decimal.empty() && ask->closed_form.empty()) continue;
+    if (is_confirmed(ask->confirmed, {ask->id}, folder, certificates)) continue;
+    ask->decimal.clear();
+    ask->closed_form.clear();
+    ask->detail = "the answer of the results is not borne out";
   }
+  for (report::ClaimRun* claim : report::claims(file))
+    if (!claim->true_digits.empty() &&
+        !is_confirmed(claim->digits_confirmed,
+                      {claim->id + "~digits", claim->id + ".corrected"}, folder, certificates))
+      claim->true_digits.clear();
 }
 
 void withdraw(report::Outcome& outcome, const std::string& objection) {
@@ -160,6 +211,7 @@ std::map<std::string, Certificate> judge_again(report::FileRun& file, const fs::
     else
       exhibit.outcome->certificate.clear();
   }
+  judge_beside_claims(file, folder, certificates);
   const std::set<std::string> proven = established(file);
   for (const Exhibit& exhibit : exhibits)
     make_conditional(*exhibit.outcome, unproven(*exhibit.claim, proven));

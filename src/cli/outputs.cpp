@@ -132,14 +132,19 @@ report::FileRun unread(const fs::path& file, const Failure& failure) {
 }
 
 void tell_alarms(const report::Run& run) {
-  for (const auto& file : run.files)
-    for (const report::ClaimRun* claim : report::claims(file))
-      for (const report::Outcome* outcome :
-           {&claim->printed, claim->corrected ? &*claim->corrected : nullptr})
-        if (outcome && !outcome->alarm.empty())
-          std::cerr << "soundness alarm: " << text::printable(claim->id)
-                    << ": the checker did not accept the evidence: "
-                    << text::printable(outcome->alarm) << "\n";
+  const auto tell = [](const std::string& id, const std::string& alarm) {
+    if (!alarm.empty())
+      std::cerr << "soundness alarm: " << text::printable(id)
+                << ": the checker did not accept the evidence: " << text::printable(alarm)
+                << "\n";
+  };
+  for (const auto& file : run.files) {
+    for (const report::ClaimRun* claim : report::claims(file)) {
+      tell(claim->id, claim->printed.alarm);
+      if (claim->corrected) tell(claim->id, claim->corrected->alarm);
+    }
+    for (const auto& [id, alarm] : report::alarms_beside_claims(file)) tell(id, alarm);
+  }
 }
 
 void write_run(const report::Run& run, const Outputs& outputs) {

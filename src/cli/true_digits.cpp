@@ -57,39 +57,52 @@ Decided decide(const claims::NamedNumbers::Statement& statement, const VerifyOpt
   return decide({question}, options, [](const symbolic::Formula& f) { return f; }).front();
 }
 
-std::optional<PrintedNumber> certified(claims::NamedNumbers& numbers, const std::string& name,
-                                       int places, bool truncated,
-                                       const VerifyOptions& options) {
+std::optional<CertifiedDigits> certified(claims::NamedNumbers& numbers, const std::string& name,
+                                         int places, bool truncated,
+                                         const VerifyOptions& options) {
   try {
     const auto likely = numbers.likely(name, places, truncated);
     if (!likely) return std::nullopt;
-    const Decided decided = decide(numbers.printed_as(name, *likely), options);
-    if (decided.outcome.verdict == Verdict::proven) return likely;
+    const auto statement = numbers.printed_as(name, *likely);
+    Decided decided = decide(statement, options);
+    if (decided.outcome.verdict == Verdict::proven)
+      return CertifiedDigits{*likely, statement.lowered.exported->statement,
+                             std::move(decided)};
   } catch (const claims::Unsupported&) {
   } catch (const std::bad_alloc&) {
   }
   return std::nullopt;
 }
 
-void add_true_digits(report::FileRun& run, const claims::Meaning& meaning,
+void add_true_digits(Verified& verified, const claims::Meaning& meaning,
                      const std::filesystem::path& file, const VerifyOptions& options) {
   const auto written = claims_of(meaning);
   std::unique_ptr<claims::NamedNumbers> numbers;
-  for (report::ClaimRun* claim : report::claims(run)) {
+  for (report::ClaimRun* claim : report::claims(verified.run)) {
     if (claim->printed.verdict != Verdict::refuted) continue;
     const claims::Claim& as_written = *written.at(claim->id);
     const auto printed = printed_in(as_written.statement);
     if (!printed) continue;
-    std::optional<PrintedNumber> right;
     if (claim->corrected && claim->corrected->verdict == Verdict::proven &&
-        is_of_same_value(as_written.statement, *as_written.corrected))
-      right = printed_in(*as_written.corrected);
-    if (!right) {
-      if (!numbers)
-        numbers = std::make_unique<claims::NamedNumbers>(parsed(file), opener_beside(file));
-      right = certified(*numbers, claim->id, printed->places(), printed->truncated, options);
+        is_of_same_value(as_written.statement, *as_written.corrected)) {
+      claim->true_digits = claims::text(*printed_in(*as_written.corrected));
+      claim->digits_confirmed = {claim->corrected->digest, claim->corrected->certificate, {}};
+      continue;
     }
-    if (right) claim->true_digits = claims::text(*right);
+    if (!numbers)
+      numbers = std::make_unique<claims::NamedNumbers>(parsed(file), opener_beside(file));
+    auto right = certified(*numbers, claim->id, printed->places(), printed->truncated, options);
+    if (!right) continue;
+    claim->true_digits = claims::text(right->number);
+    const std::string name = claim->id + "~digits";  // no id: those have no '~'
+    claim->digits_confirmed = {right->decided.outcome.digest, certificate_file(name), {}};
+    verified.certificates[claim->digits_confirmed.certificate] = {
+        name,
+        false,
+        Verdict::proven,
+        {},
+        std::move(right->statement),
+        std::move(right->decided.evidence)};
   }
 }
 

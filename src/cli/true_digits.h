@@ -14,15 +14,21 @@ namespace seam::cli {
 /// The statement proved or refuted, and judged, within the time and effort of the options.
 Decided decide(const claims::NamedNumbers::Statement&, const VerifyOptions&);
 
+/// Digits that the checker confirmed, and by what.
+struct CertifiedDigits {
+  claims::PrintedNumber number;
+  certificate::Statement statement;
+  Decided decided;  ///< proven
+};
+
 /// What the named number is, with so many digits after the point; nothing unless the checker
 /// confirmed it.
-std::optional<claims::PrintedNumber> certified(claims::NamedNumbers&, const std::string& name,
-                                               int places, bool truncated,
-                                               const VerifyOptions&);
+std::optional<CertifiedDigits> certified(claims::NamedNumbers&, const std::string& name,
+                                         int places, bool truncated, const VerifyOptions&);
 
 /// The true digits to each refuted claim that a number is printed so: those of its correction
-/// where that is proven, else certified ones.
-void add_true_digits(report::FileRun&, const claims::Meaning&,
-                     const std::filesystem::path& file, const VerifyOptions&);
+/// where that is proven, else certified ones, with a certificate of their own.
+void add_true_digits(Verified&, const claims::Meaning&, const std::filesystem::path& file,
+                     const VerifyOptions&);
 
 }  // namespace seam::cli

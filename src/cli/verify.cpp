@@ -121,9 +121,7 @@ void mark_conditional(const std::string& id,
 }
 
 std::string file_name(const std::string& id, bool correction) {
-  std::string name = id;
-  std::ranges::replace(name, ':', '=');  // no colon in file names
-  return "certificates/" + name + (correction ? ".corrected" : "") + ".json";
+  return certificate_file(id + (correction ? ".corrected" : ""));
 }
 
 std::vector<std::string> names_of(const claims::Item& item) {
@@ -187,10 +185,21 @@ class Assembly {
         tasks_, [&](const Task& t) { return t.question.lowered == &meant.statement; });
     if (task == tasks_.end()) return run;
     run.seconds = task->decided.seconds;
-    run.detail = task->decided.outcome.detail;
-    if (task->decided.outcome.verdict == Verdict::proven) {
+    const report::Outcome& outcome = task->decided.outcome;
+    run.detail = outcome.detail;
+    run.confirmed.alarm = outcome.alarm;
+    if (outcome.verdict == Verdict::proven) {
       run.decimal = meant.decimal;
       if (!task->is_otherwise) run.closed_form = meant.closed_form;
+      const claims::Lowered& lowered = task->is_otherwise ? *task->otherwise : meant.statement;
+      run.confirmed.digest = outcome.digest;
+      run.confirmed.certificate = certificate_file(run.id);
+      certificates[run.confirmed.certificate] = {run.id,
+                                                 false,
+                                                 Verdict::proven,
+                                                 {},
+                                                 lowered.exported->statement,
+                                                 task->decided.evidence};
     } else if (run.detail.empty()) {
       run.detail = "the value that was found could not be confirmed";
     }
@@ -234,6 +243,11 @@ class Assembly {
 };
 
 }  // namespace
+
+std::string certificate_file(std::string name) {
+  std::ranges::replace(name, ':', '=');  // no colon in file names
+  return "certificates/" + name + ".json";
+}
 
 bool selected(const std::string& id, const std::vector<std::string>& patterns) {
   return patterns.empty() || std::ranges::any_of(patterns, [&](const std::string& pattern) {
@@ -284,9 +298,9 @@ Verified verify(const std::filesystem::path& file, const VerifyOptions& options,
       result.run.items.push_back(draw::sampled(*figure, *meaning.numbers));
     }
   }
-  add_true_digits(result.run, meaning, file, options);
-  draw::mark_refutations(result.run, meaning);
   result.certificates = std::move(assembly.certificates);
+  add_true_digits(result, meaning, file, options);
+  draw::mark_refutations(result.run, meaning);
   return result;
 }
 

@@ -36,6 +36,9 @@ using Progress = std::function<void(int done, int all, const std::string& id)>;
 /// The same result for any number of jobs. Throws `Failure` for a file with errors.
 Verified verify(const std::filesystem::path& file, const VerifyOptions&, const Progress&);
 
+/// Where the certificate of this name goes, in the folder of a report.
+std::string certificate_file(std::string name);
+
 /// Whether an id is one of the ids or matches one of the globs (`*`, `?`).
 bool selected(const std::string& id, const std::vector<std::string>& patterns);
 

@@ -33,6 +33,13 @@ void fields(Archive& archive, T& outcome) {
   archive("findings", outcome.obligations);
 }
 
+template <typename Archive, Some<Confirmation> T>
+void fields(Archive& archive, T& confirmation) {
+  archive("digest", confirmation.digest);
+  archive("certificate", confirmation.certificate);
+  archive("alarm", confirmation.alarm);
+}
+
 template <typename Archive, Some<ClaimRun> T>
 void fields(Archive& archive, T& claim) {
   archive("title", claim.title);
@@ -42,6 +49,7 @@ void fields(Archive& archive, T& claim) {
   archive("line", claim.line);
   archive("column", claim.column);
   archive("true_digits", claim.true_digits);
+  archive("digits_confirmed", claim.digits_confirmed);
   archive("predicates", claim.predicates);
   archive("definitions", claim.definitions);
 }
@@ -93,6 +101,7 @@ template <typename Archive, Some<AskRun> T>
 void fields(Archive& archive, T& ask) {
   archive("text", ask.text);
   archive("latex", ask.latex);
+  archive("confirmed", ask.confirmed);
 }
 
 template <typename Archive, Some<ErrorRun> T>

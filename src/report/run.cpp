@@ -39,6 +39,14 @@ std::vector<Claim*> claims_in(auto& file) {
   return found;
 }
 
+template <typename Ask>
+std::vector<Ask*> questions_in(auto& file) {
+  std::vector<Ask*> found;
+  for (auto& item : file.items)
+    if (auto* ask = std::get_if<AskRun>(&item)) found.push_back(ask);
+  return found;
+}
+
 bool decided(const Outcome& outcome) {
   return outcome.verdict == Verdict::proven || outcome.verdict == Verdict::refuted;
 }
@@ -73,6 +81,24 @@ std::vector<const ClaimRun*> claims(const FileRun& file) {
 
 std::vector<ClaimRun*> claims(FileRun& file) {
   return claims_in<ClaimRun>(file);
+}
+
+std::vector<const AskRun*> questions(const FileRun& file) {
+  return questions_in<const AskRun>(file);
+}
+
+std::vector<AskRun*> questions(FileRun& file) {
+  return questions_in<AskRun>(file);
+}
+
+std::vector<std::pair<std::string, std::string>> alarms_beside_claims(const FileRun& file) {
+  std::vector<std::pair<std::string, std::string>> alarms;
+  for (const AskRun* ask : questions(file))
+    if (!ask->confirmed.alarm.empty()) alarms.emplace_back(ask->id, ask->confirmed.alarm);
+  for (const ClaimRun* claim : claims(file))
+    if (!claim->digits_confirmed.alarm.empty())
+      alarms.emplace_back(claim->id, claim->digits_confirmed.alarm);
+  return alarms;
 }
 
 bool as_expected(const ClaimRun& claim) {
@@ -118,8 +144,10 @@ std::string in_short(const ClaimRun& claim) {
 
 int exit_status(const Run& run, bool allow_undecided) {
   Concern worst = Concern::none;
-  for (const FileRun& file : run.files)
+  for (const FileRun& file : run.files) {
     for (const ClaimRun* claim : claims(file)) worst = std::max(worst, concern(*claim));
+    if (!alarms_beside_claims(file).empty()) worst = Concern::alarm;
+  }
   return status(worst, allow_undecided);
 }
 

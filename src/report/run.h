@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -43,12 +44,22 @@ struct Outcome {
   bool is_stored = false;   ///< the evidence is that of an earlier run; never in a file
 };
 
+/// What the checker confirmed of something that is said beside the claims.
+struct Confirmation {
+  std::string digest;       ///< of the statement that was judged
+  std::string certificate;  ///< path, relative to the report's folder; empty: none written
+  std::string alarm;        ///< the checker's objection to evidence for it; empty: none
+
+  bool empty() const { return digest.empty() && alarm.empty(); }
+};
+
 struct ClaimRun {
   std::string id, title, at;          ///< `at`: `§6`
   std::vector<std::string> comments;  ///< the comment lines above it in the file
   Outcome printed;                    ///< the statement as the paper prints it
   std::optional<Outcome> corrected;
   std::string true_digits = {};        ///< where printed ones are wrong: certified; empty: none
+  Confirmation digits_confirmed = {};  ///< that these are the true digits
   Verdict expected = Verdict::proven;  ///< refuted where there is a correction
   std::vector<std::string> using_claims;
   std::vector<std::string> predicates;        ///< names of the predicates it uses: `G1`
@@ -121,6 +132,7 @@ struct AskRun {
   std::string closed_form;  ///< plain text; empty: none found
   std::string detail;       ///< why there is no answer
   double seconds = 0;
+  Confirmation confirmed = {};
 };
 
 using ItemRun = std::variant<SectionRun, DefinitionRun, ClaimRun, TableRun, FigureRun, AskRun>;
@@ -151,6 +163,10 @@ struct Summary {
   int claims = 0, proven = 0, refuted = 0, conditional = 0, undecided = 0, as_expected = 0;
 };
 
+/// The questions of a file in file order.
+std::vector<const AskRun*> questions(const FileRun&);
+std::vector<AskRun*> questions(FileRun&);
+
 /// The claims of a file in file order, the cells of tables among them.
 std::vector<const ClaimRun*> claims(const FileRun&);
 std::vector<ClaimRun*> claims(FileRun&);
@@ -173,6 +189,10 @@ enum class Concern {
   alarm           ///< the checker objected to the evidence
 };
 Concern concern(const ClaimRun&);
+
+/// The questions and the true digits whose evidence the checker objected to, by id, and its
+/// objection.
+std::vector<std::pair<std::string, std::string>> alarms_beside_claims(const FileRun&);
 
 /// `refuted, expected: proven; u = 0: 1 != 0`: what came of it in a line, with the witness or
 /// the reason, and the correction where that is what is not as expected.

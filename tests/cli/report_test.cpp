@@ -23,7 +23,8 @@ class Report : public testing::Test {
     std::ofstream(folder_ / "a.seam")
         << "section \"One\"\nlet f(x) = x^2\n"
            "claim lemma: f(2) = 4\nclaim rest: f(3) > 8\n    using lemma\n"
-           "claim wrong: f(2) = 5\n    corrected: f(2) = 4\nask root: sqrt(2)\n";
+           "claim wrong: f(2) = 5\n    corrected: f(2) = 4\nask root: sqrt(2)\n"
+           "claim printed: sqrt(2) ~ 1.42\n    expect refuted\n";
     EXPECT_EQ(seamproof("verify a.seam --out one --html --fragments").status, 0);
   }
   ~Report() override { fs::remove_all(folder_); }
@@ -104,6 +105,20 @@ TEST_F(Report, a_verdict_without_a_certificate_is_an_alarm) {
   expect_alarm("it has no certificate");
   replace("one/results.json", "\"certificates/rest.json\"", "\"../certificates/rest.json\"");
   expect_alarm("its certificate is not in the folder certificates");
+}
+
+TEST_F(Report, an_answer_whose_certificate_is_missing_is_withdrawn_with_an_alarm) {
+  fs::remove(folder_ / "one/certificates/root.json");
+  expect_alarm("root: the checker did not accept the evidence: its certificate is missing");
+  EXPECT_EQ(in_folder("grep -c 1.4142 two/results.json").output, "0\n");
+}
+
+TEST_F(Report, true_digits_with_the_certificate_of_another_statement_are_withdrawn) {
+  in_folder("cp one/certificates/printed.json 'one/certificates/printed~digits.json'");
+  expect_alarm(
+      "printed: the checker did not accept the evidence: "
+      "its certificate is that of another claim");
+  EXPECT_EQ(in_folder("grep -c '\"true_digits\"' two/results.json").output, "0\n");
 }
 
 TEST_F(Report, results_that_cannot_be_read_are_told_with_place_and_hint) {
