@@ -47,14 +47,11 @@ std::vector<const Expression*> parts_of(const Item& item) {
 
 class Definitions {
  public:
-  explicit Definitions(const Meaning& meaning) {
-    for (const MeantItem& meant : meaning.items)
-      if (const auto* definition = std::get_if<MeantDefinition>(&meant)) {
-        const Item& item = definition->item;
-        items_.push_back(&item);
-        for (const std::string& name : item.names) of_.emplace(name, &item);
-        if (item.names.empty()) of_.emplace(item.name, &item);
-      }
+  explicit Definitions(const std::vector<const Item*>& items) : items_(items) {
+    for (const Item* item : items_) {
+      for (const std::string& name : item->names) of_.emplace(name, item);
+      if (item->names.empty()) of_.emplace(item->name, item);
+    }
   }
 
   void need(const Expression& e, const std::vector<std::string>& parameters) {
@@ -83,11 +80,21 @@ class Definitions {
 
 }  // namespace
 
-std::vector<const Item*> rests_on(const Meaning& meaning, const Claim& claim) {
-  Definitions definitions(meaning);
-  definitions.need(claim.statement, {});
-  if (claim.corrected) definitions.need(*claim.corrected, {});
+std::vector<const Item*> rests_on(const std::vector<const Item*>& items,
+                                  const std::vector<const Expression*>& expressions) {
+  Definitions definitions(items);
+  for (const Expression* e : expressions) definitions.need(*e, {});
   return definitions.needed();
+}
+
+std::vector<const Item*> rests_on(const Meaning& meaning, const Claim& claim) {
+  std::vector<const Item*> definitions;
+  for (const MeantItem& meant : meaning.items)
+    if (const auto* definition = std::get_if<MeantDefinition>(&meant))
+      definitions.push_back(&definition->item);
+  std::vector<const Expression*> said = {&claim.statement};
+  if (claim.corrected) said.push_back(&*claim.corrected);
+  return rests_on(definitions, said);
 }
 
 }  // namespace seam::claims

@@ -11,4 +11,8 @@ namespace seam::claims {
 /// speak of among them, in file order: all that a reader has to look up to know what it says.
 std::vector<const Item*> rests_on(const Meaning&, const Claim&);
 
+/// The same of any expressions, among these definitions.
+std::vector<const Item*> rests_on(const std::vector<const Item*>& definitions,
+                                  const std::vector<const Expression*>&);
+
 }  // namespace seam::claims

@@ -177,6 +177,40 @@ void add_format(CLI::App& app, Arguments& to) {
   command->add_flag("-i,--in-place", to.in_place, "write the files instead");
 }
 
+void add_mutate(CLI::App& app, Arguments& to) {
+  CLI::App* command =
+      add_command(app, to, "mutate", "how much each claim notices of small changes",
+                  [&to] { return mutate_file(to.file, to.mutation, to.trials, to.outputs); });
+  add_file(command, to, "a .seam file");
+  command
+      ->add_option("--claim", to.trials.claims,
+                   "only claims with this id, or matching this glob")
+      ->type_name("ID-OR-GLOB")
+      ->allow_extra_args(false);
+  command->add_option("--seed", to.mutation.seed, "another seed draws other changes")
+      ->type_name("N")
+      ->capture_default_str();
+  CLI::Option* count =
+      command->add_option("--count", to.mutation.count, "changes of all claims together")
+          ->type_name("N")
+          ->check(CLI::Range(1, 1'000'000).description(""))
+          ->capture_default_str();
+  command->add_option("--per-claim", to.mutation.per_claim, "changes of each claim")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100'000).description(""))
+      ->excludes(count);
+  command->add_option("--json", to.outputs.json, "the results as JSON; - for standard output")
+      ->type_name("FILE");
+  command
+      ->add_option("--out", to.outputs.out,
+                   "folder for the changed files that were decided, with certificates")
+      ->type_name("DIR");
+  command->add_flag("--quiet", to.outputs.quiet, "only the exit status");
+  to.trials.timeout = 10;
+  to.trials.memory = 2048;
+  add_search(command, to.trials);
+}
+
 void add_new(CLI::App& app, Arguments& to) {
   CLI::App* command = add_command(app, to, "new", "a commented starter file that verifies",
                                   [&to] { return start_file(to.name); });
@@ -209,6 +243,7 @@ std::unique_ptr<CLI::App> command_line(Arguments& to) {
                         [&to] { return list_obligations(to.files); }),
             to);
   add_check_tex(*app, to);
+  add_mutate(*app, to);
   add_format(*app, to);
   add_new(*app, to);
   return app;

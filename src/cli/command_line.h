@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/mutate.h"
 #include "cli/outputs.h"
 #include "cli/verify.h"
 
@@ -22,6 +23,8 @@ struct Arguments {
   std::string file, id, expression, name, paper;
   VerifyOptions search;
   Outputs outputs;
+  MutateOptions mutation;
+  VerifyOptions trials;  ///< of mutants: each may take less
   int digits = 30;
   bool in_place = false;
 

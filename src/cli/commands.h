@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/mutate.h"
 #include "cli/outputs.h"
 #include "cli/verify.h"
 
@@ -23,6 +24,9 @@ int ask(const std::string& file, const std::string& expression, int digits,
 /// Whether every `\spval` and `\spstatus` of a paper is printed right.
 int check_tex(const std::string& paper, const std::vector<std::string>& files,
               const VerifyOptions&);
+/// How much each claim notices of small changes of the file.
+int mutate_file(const std::string& file, const MutateOptions&, const VerifyOptions&,
+                const Outputs&);
 int start_file(const std::string& name);
 
 }  // namespace seam::cli

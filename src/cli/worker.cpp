@@ -3,7 +3,6 @@
 
 #include <fcntl.h>
 #include <sys/prctl.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -12,12 +11,12 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
 #include <new>
 #include <utility>
 
 #include "certificate/json.h"
 #include "cli/files.h"
+#include "cli/forked.h"
 #include "prove/prove.h"
 
 // The statement is in memory already when the process branches off; the evidence comes back
@@ -30,32 +29,7 @@ namespace {
 
 using certificate::Nothing;
 
-constexpr int no_memory = 71;  // the exit status of a worker that was given too little
 constexpr std::chrono::seconds grace{2};
-
-void write_all(int to, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t n = write(to, bytes.data(), bytes.size());
-    if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) _exit(internal);
-    bytes.remove_prefix(static_cast<std::size_t>(n));
-  }
-}
-
-// So much more than there is at the start.
-void limit_memory(long mebibytes) {
-  rlim_t pages = 0;
-  std::ifstream("/proc/self/statm") >> pages;
-  const rlim_t bytes = pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) +
-                       (static_cast<rlim_t>(mebibytes) << 20);
-  const rlimit limit{bytes, bytes};
-  setrlimit(RLIMIT_AS, &limit);
-  const rlimit none{0, 0};
-  setrlimit(RLIMIT_CORE, &none);
-  // The libraries of numbers would complain on standard error.
-  const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
-  dup2(nowhere, STDERR_FILENO);
-}
 
 [[noreturn]] void work(const certificate::Statement& statement, const VerifyOptions& options,
                        Worker::Clock::time_point deadline, int to) {
