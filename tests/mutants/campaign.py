@@ -64,8 +64,8 @@ def judged(certificate, verdict):
 def confirm(task):
     """(how it was confirmed, or what is wrong, why the evaluation said nothing)"""
     folder, kept, identity, which, verdict, seconds = task
-    sys.setrecursionlimit(60000)
     import evaluate
+    evaluate.allow_deep_formulas()
     evaluate.SECONDS = seconds
     with open(os.path.join(folder, kept), encoding="utf-8") as text:
         source = text.read()
@@ -73,11 +73,13 @@ def confirm(task):
         said, why = evaluate.evaluate(evaluate.File(source), identity, which, verdict == "refuted")
     except KeyError:
         said, why = "unknown", "it has another id"
+    except (ArithmeticError, ValueError, TypeError, AttributeError, IndexError) as error:
+        said, why = "unknown", "the evaluator broke off: %r" % error
     except evaluate.reading.NotRead as error:
         said, why = "unknown", "not read: %s" % error
     if (verdict, said) in (("proven", "holds"), ("refuted", "fails")):
         return "confirmed by evaluation", ""
-    if (verdict, said) == ("proven", "fails"):
+    if (verdict, said, why) == ("proven", "fails", ""):
         return "findings", "proven, and it fails at a point"
     if (verdict, said, why) == ("refuted", "holds", "certainly"):
         return "findings", "refuted, and it holds"

@@ -3,9 +3,11 @@
 
     python3 evaluate.py FILE.seam [RESULTS.json]     each claim; with results of `seamproof verify --json`, beside their verdicts
 
-What it says of a claim: `holds` (at all points looked at), `fails` (certainly, at one), `unknown`."""
+What it says of a claim: `holds` (at all points looked at), `fails` (certainly, at one; or as far as is seen), `unknown`. Where the verdict is
+proven and the claim certainly fails, or refuted and it certainly holds, that is CONTRARY, and the exit status 1."""
 import itertools
 import json
+import resource
 import signal
 import sys
 
@@ -13,7 +15,8 @@ import enclosures as N
 import formulas as F
 import reading
 from meaning import Meaning
-from truth import FALSE, TRUE, Truth
+from comparing import FALSE, TRUE, UNLIKELY
+from truth import Truth
 from values import TooLarge, Unsupported
 
 SEED = 1
@@ -151,6 +154,8 @@ def evaluate(file, identity, which="printed", seeking=False):
         return "unknown", "no point was found where what is assumed is met"
     if sum(x > 0 for x in truths) * 2 > len(truths) and min(truths) >= 0:
         return "holds", "" if is_general or min(truths) < TRUE else "certainly"
+    if min(truths) == UNLIKELY:
+        return "fails", "as far as is seen"
     return "unknown", "what was seen decides nothing"
 
 
@@ -176,7 +181,7 @@ def main(path, results=None):
                 continue
             verdict = verdicts.get((identity, which), "")
             said, why = evaluate(file, identity, which, verdict == "refuted")
-            contradicts = (verdict, said) == ("proven", "fails") or (verdict, said, why) == ("refuted", "holds", "certainly")
+            contradicts = (verdict, said, why) == ("proven", "fails", "") or (verdict, said, why) == ("refuted", "holds", "certainly")
             disagreements += contradicts
             counts[verdict, said] = counts.get((verdict, said), 0) + 1
             print("%-9s %-9s %-7s %s%s%s" % ("CONTRARY" if contradicts else "", verdict, said, identity,
@@ -186,6 +191,13 @@ def main(path, results=None):
     return 1 if disagreements else 0
 
 
-if __name__ == "__main__":
+def allow_deep_formulas():
+    hard = resource.getrlimit(resource.RLIMIT_STACK)[1]
+    wanted = 512 << 20
+    resource.setrlimit(resource.RLIMIT_STACK, (wanted if hard == resource.RLIM_INFINITY else min(wanted, hard), hard))
     sys.setrecursionlimit(60000)
+
+
+if __name__ == "__main__":
+    allow_deep_formulas()
     sys.exit(main(*sys.argv[1:]))

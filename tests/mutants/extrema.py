@@ -3,6 +3,7 @@
 import random
 
 import enclosures as N
+import floats
 import formulas as F
 import values as W
 from values import Function, Unsupported
@@ -21,7 +22,7 @@ def known(x):
     return F.make("known", N.Interval(n - margin, n + margin))
 
 
-def largest(f, shape):
+def largest(f, shape, n=24):
     """Of a function of two numbers on the triangle or square, or of one on [0,1]."""
     def inside(u, v):
         u = min(max(u, 0.0), 1.0)
@@ -37,7 +38,6 @@ def largest(f, shape):
             return f(u, v)
         except (ZeroDivisionError, ValueError, OverflowError):
             return -float("inf")
-    n = 24
     grid = [(i / n, j / n) for i in range(n + 1) for j in range(n + 1) if shape == "square" or i + j <= n]
     if shape == "line":
         grid = [(i / 200, 0.0) for i in range(201)]
@@ -74,7 +74,8 @@ def of(name, f):
         raise Unsupported("an extremum with parameters")
     sign = 1 if name == "max" else -1
     shape = {"quad": "square", "curve": "line"}.get(f.shape, f.shape or "square")
-    return known(sign * largest(lambda u, v: sign * F.evaluate_float(f.value, {"#1": u, "#2": v}, {}), shape))
+    at = floats.compiled(f.value, ("#1", "#2"))
+    return known(sign * largest(lambda u, v: sign * at(u, v), shape))
 
 
 def over(m, name, each, scope):

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Expressions as values, by docs/language.md."""
-import math
 from fractions import Fraction
 
 import enclosures as N
 import formulas as F
+import nets
 import solids
 import values as W
-from values import Closure, Function, Items, Matrix, Mesh, Patch, Plane, Surface, Text, Unsupported, Vector
+from values import Closure, Function, Items, Matrix, Patch, Plane, Surface, Text, Unsupported, Vector
 
 SOLIDS = ("tetrahedron", "cube", "octahedron", "dodecahedron", "icosahedron")
 DOMAINS = ("triangle", "square")
@@ -143,7 +143,7 @@ class Meaning:
         if kind == "plane":
             return Plane(self.value(tree[1], scope), self.scalar(tree[2], scope))
         if kind in ("net", "indexed", "from"):
-            return self.patch(tree, scope)
+            return nets.patch(self, tree, scope)
         raise Unsupported("a value of kind " + kind)
 
     def items(self, trees, scope):
@@ -240,49 +240,6 @@ class Meaning:
         elif isinstance(value, list) and len(indices) == 1 and 1 <= indices[0] <= len(value):
             return value[indices[0] - 1]
         raise Unsupported("an index out of range")
-
-    def patch(self, tree, scope):
-        shape = tree[1].replace("_patch", "")
-        if tree[0] == "net":
-            rows = [[self.value(x, scope) for x in row] for row in tree[2]]
-            if shape == "triangle":
-                degree = len(rows) - 1
-                if [len(row) for row in rows] != list(range(degree + 1, 0, -1)):
-                    raise Unsupported("a net of another shape")
-            elif shape == "curve":
-                degree = len(rows[0]) - 1
-            else:
-                degree = (len(rows[0]) - 1, len(rows) - 1)
-            return W.patch_of_net(shape, {(i, j): x for j, row in enumerate(rows) for i, x in enumerate(row)}, degree)
-        if tree[0] == "indexed":
-            degree, control = self.integer(tree[2], scope), {}
-            for label, point in tree[3].items():
-                i, j, k = (int(x) for x in (label.split(",") if "," in label else label))
-                if i + j + k != degree:
-                    raise Unsupported("a label of another degree")
-                control[i, j] = self.value(point, scope)
-            return W.patch_of_net(shape, control, degree)
-        inner = dict(scope)
-        for name, k in (("u", 0), ("v", 1), ("s", 0), ("t", 0 if shape == "curve" else 1)):
-            if name in ("u", "v") or (name not in scope and name not in self.definitions):
-                inner[name] = (W.U, W.V)[k]
-        value = self.value(tree[2], inner)
-        degree = self.degree_of(shape, value)
-        return Patch(shape, value, degree)
-
-    @staticmethod
-    def degree_of(shape, value):
-        import polynomials
-        powers = set()
-        try:
-            for f in W.flat(value):
-                powers |= polynomials.nonzero(polynomials.of(f, ("#1", "#2"))).keys()
-        except Unsupported:
-            return None
-        if shape == "triangle":
-            return max((i + j for i, j in powers), default=0)
-        degree = (max((i for i, _ in powers), default=0), max((j for _, j in powers), default=0))
-        return degree[0] if shape == "curve" else degree
 
     # ---- calls
     def call(self, tree, scope):

@@ -5,9 +5,8 @@ from fractions import Fraction
 
 import enclosures as N
 import formulas as F
-from values import Unsupported, Vector
-
-TRUE, LIKELY, UNKNOWN, UNLIKELY, FALSE = 2, 1, 0, -1, -2
+from comparing import LIKELY, TRUE, UNKNOWN, UNLIKELY, ordered, printed
+from values import Unsupported
 
 
 def holds(t, tree, scope, point):
@@ -26,13 +25,12 @@ def holds(t, tree, scope, point):
             return UNLIKELY
         if solutions is None:
             return LIKELY
-        import truth
         margin = Fraction(1, 10 ** 8)
         text, middle = solutions[1], Fraction(roots[0])
         value = t.meaning.scalar(solutions[2], scope)
         near = N.interval(N.plus(middle, N.minus(t.evaluate(value, point))))
         wide = N.Interval(near.low - int(margin * N.ONE), near.high + int(margin * N.ONE))
-        return max(-1, min(1, truth.printed(wide, text, False)))
+        return max(-1, min(1, printed(wide, text, False)))
     result = TRUE
     listed = []
     for solution in solutions:
@@ -115,10 +113,9 @@ def inside(t, x, domain, scope, point):
         return TRUE
     if domain[0] != "interval":
         raise Unsupported("an unknown over this set")
-    import truth
     low, high = (t.meaning.scalar(y, scope) for y in domain[2:4])
-    left = truth.ordered(">=" if domain[1] == "[" else ">", t.evaluate(F.sub(x, low), point))
-    right = truth.ordered("<=" if domain[4] == "]" else "<", t.evaluate(F.sub(x, high), point))
+    left = ordered(">=" if domain[1] == "[" else ">", t.evaluate(F.sub(x, low), point))
+    right = ordered("<=" if domain[4] == "]" else "<", t.evaluate(F.sub(x, high), point))
     return min(left, right)
 
 
