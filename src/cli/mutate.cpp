@@ -68,7 +68,8 @@ MutatedClaim claim_of(const std::string& id, const Aside& aside) {
   }
   claim.printed = outcome_of(trial.statements[0]);
   if (trial.statements.size() > 1) claim.corrected = outcome_of(trial.statements[1]);
-  if (claim.printed.verdict == report::Verdict::undecided) claim.why_not = "it is undecided";
+  if (claim.printed.verdict == report::Verdict::undecided)
+    claim.why_not = "it is undecided: " + claim.printed.reason;
   return claim;
 }
 

@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The evaluator by itself: what holds, what fails, and what it must not claim to know."""
+import os
+import tempfile
 import unittest
 from fractions import Fraction
 
+import campaign
 import enclosures
 import evaluate
 
@@ -39,7 +42,7 @@ class Evaluator(unittest.TestCase):
             self.assertEqual(said("claim a: " + statement, seeking=True), "fails", statement)
 
     def test_what_it_does_not_know(self):
-        for statement in ("for all x: x = x + 1 implies x = 7", "solve x: x^2 = 4 gives 2", "for some x, y: x^2 + y^2 = 2 and x*y = 1",
+        for statement in ("for all x: x = x + 1 implies x = 7", "solve x: x^2 = 4 gives 2", "for some x: x^3 = 2",
                           "for some x in [0, 1]: x^2 = 1/2", "for all x: 1/(x - x) = 1"):
             self.assertEqual(said("claim a: " + statement), "unknown", statement)
 
@@ -54,6 +57,16 @@ class Evaluator(unittest.TestCase):
             self.assertEqual(said(net + "claim a: " + statement), "holds", statement)
         for statement in ("G2(p, reflect(p, plane (1, 0, 0) 0) + (0, 0, 1/10))", "for all u: D2(p)(u,0) = D2(q)(u,0)"):
             self.assertNotEqual(said(net + "claim a: " + statement), "holds", statement)
+
+    def test_a_wrong_verdict_is_a_finding(self):
+        with tempfile.TemporaryDirectory() as folder:
+            with open(os.path.join(folder, "m.seam"), "w", encoding="utf-8") as file:
+                file.write("param x\nclaim a: (x + 1)^2 = x^2 + 1\nclaim b: 1/3 ~ 0.33\n")
+            confirm = lambda identity, verdict: campaign.confirm((folder, "m.seam", identity, "printed", verdict, 10))[0]
+            self.assertEqual(confirm("a", "proven"), "findings")
+            self.assertEqual(confirm("b", "refuted"), "findings")
+            self.assertEqual(confirm("a", "refuted"), "confirmed by evaluation")
+            self.assertEqual(confirm("b", "proven"), "confirmed by evaluation")
 
 
 if __name__ == "__main__":
