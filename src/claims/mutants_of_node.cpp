@@ -135,7 +135,9 @@ class Node {
                           e_.kind == Kind::tuple;
     const bool is_operand = is_below(Kind::binary) || is_below(Kind::relation) ||
                             is_below(Kind::tuple) || is_below(Kind::list);
-    if (is_value && is_operand && !is_exponent() && !context_.is_in_set)
+    const bool is_zero =
+        e_.kind == Kind::number && e_.text.find_first_not_of("0.") == std::string::npos;
+    if (is_value && is_operand && !is_exponent() && !context_.is_in_set && !is_zero)
       add(Change::sign, node(Kind::negate, {}, {e_}));
   }
 

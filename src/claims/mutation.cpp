@@ -106,7 +106,7 @@ File mutated(const File& file, const Mutation& mutation) {
 }
 
 Difference difference(const File& file, const Mutation& mutation) {
-  constexpr std::size_t at_a_glance = 72;
+  constexpr std::size_t at_a_glance = 72, too_short = 12, too_long = 240;
   File before = file, after = mutated(file, mutation);
   const auto root = [&](File& f) -> Expression& {
     return *expressions_of(f.items[mutation.item])[mutation.part];
@@ -119,7 +119,8 @@ Difference difference(const File& file, const Mutation& mutation) {
     if (kind == Kind::binding || kind == Kind::named || kind == Kind::control) continue;
     std::string was = format(at(root(before), mutation.path, d));
     std::string is = format(at(root(after), mutation.path, d));
-    if (!result.before.empty() && std::max(was.size(), is.size()) > at_a_glance) break;
+    const std::size_t most = result.before.size() < too_short ? too_long : at_a_glance;
+    if (!result.before.empty() && std::max(was.size(), is.size()) > most) break;
     result.before = std::move(was);
     result.after = std::move(is);
   }

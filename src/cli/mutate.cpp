@@ -152,6 +152,15 @@ std::vector<std::size_t> shares(std::size_t claims, const MutateOptions& options
   return result;
 }
 
+// Claims that are not changed need not be decided.
+void drop_without_share(std::vector<Excerpt>& excerpts, std::vector<std::size_t>& share) {
+  std::vector<Excerpt> kept;
+  for (std::size_t i = 0; i < excerpts.size(); ++i)
+    if (share[i] > 0) kept.push_back(std::move(excerpts[i]));
+  excerpts = std::move(kept);
+  std::erase(share, 0U);
+}
+
 }  // namespace
 
 Mutated mutate(const std::filesystem::path& path, const MutateOptions& options,
@@ -160,6 +169,8 @@ Mutated mutate(const std::filesystem::path& path, const MutateOptions& options,
   std::vector<Excerpt> excerpts = claims::excerpts(file);
   std::erase_if(excerpts, [&](const Excerpt& e) { return !selected(e.id, search.claims); });
   if (excerpts.empty()) throw Failure{usage, "no claim of the file is selected\n"};
+  std::vector<std::size_t> share = shares(excerpts.size(), options);
+  drop_without_share(excerpts, share);
 
   std::vector<Attempt> attempts;
   for (std::size_t i = 0; i < excerpts.size(); ++i)
@@ -181,7 +192,6 @@ Mutated mutate(const std::filesystem::path& path, const MutateOptions& options,
 
   attempts.clear();
   std::vector<MutantRun> mutants;
-  const std::vector<std::size_t> share = shares(excerpts.size(), options);
   for (std::size_t i = 0; i < excerpts.size(); ++i) {
     const MutatedClaim& claim = claims_run[i];
     if (!claim.why_not.empty()) continue;
