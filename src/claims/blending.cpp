@@ -62,7 +62,12 @@ class Reading {
       return add(single(field->components), 2);
     }
     if (const auto* function = value.as<Function>()) return add(called(*function->item));
-    for (const Value& item : as_items(evaluator_, value, at_)) add(item);
+    // A matrix or a vector would pass for a list of constant functions.
+    const auto* list = value.as<List>();
+    if (!list)
+      fail(at_, "expected a list of functions, found " + description(value),
+           "the functions of a matrix M are blending(M)");
+    for (const Value& item : list->items) add(item);
   }
   void add(const Scalar& function, int arguments) {
     for (int i = 0; i < 2; ++i)

@@ -13,6 +13,10 @@ class Undefined(Exception):
     """A quotient by what may be 0, a root of what may be negative."""
 
 
+class Nothing(Undefined):
+    """What certainly has no value."""
+
+
 class Interval:
     __slots__ = ("low", "high")
 
@@ -59,7 +63,7 @@ def times(a, b):
 def inverse(a):
     if isinstance(a, Fraction):
         if a == 0:
-            raise Undefined("a quotient by 0")
+            raise Nothing("a quotient by 0")
         return 1 / a
     if a.low <= 0 <= a.high:
         raise Undefined("a quotient by what may be 0")
@@ -91,13 +95,13 @@ def square(a):
 def root(a, n=2):
     if isinstance(a, Fraction):
         if a < 0 and n % 2 == 0:
-            raise Undefined("an even root of a negative number")
+            raise Nothing("an even root of a negative number")
         exact = [exact_root(x, n) for x in (abs(a.numerator), a.denominator)]
         if None not in exact:
             return Fraction(exact[0] if a >= 0 else -exact[0], exact[1])
         a = interval(a)
     if n % 2 == 0 and a.high < 0:
-        raise Undefined("an even root of a negative number")
+        raise Nothing("an even root of a negative number")
     low = a.low if n % 2 else max(a.low, 0)
 
     def bound(x, up):
@@ -149,6 +153,8 @@ def elementary(name, a):
         return Fraction(0)
     a = interval(a)
     low, high = a.low << GUARD, a.high << GUARD
+    if name == "log" and a.high <= 0:
+        raise Nothing("a logarithm of what is not positive")
     if name == "log" and a.low <= 0:
         raise Undefined("a logarithm of what may not be positive")
     if name in ("exp", "log"):

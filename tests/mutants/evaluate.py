@@ -110,7 +110,7 @@ def evaluate(file, identity, which="printed", seeking=False):
     """(`holds`, `fails` or `unknown`, why unknown). `seeking`: points where it fails are wanted."""
     claim, cell = file.claims[identity]
     statement = claim[which]
-    truths, is_general, assumed, met = [], False, 0, 0
+    truths, is_general, assumed, met, without_value = [], False, 0, 0, 0
     try:
         with_limit()
         for chosen in file.choices([statement, cell[0] if cell else None]):
@@ -128,13 +128,14 @@ def evaluate(file, identity, which="printed", seeking=False):
                 except N.Undefined as error:
                     if not point:
                         return "unknown", str(error)
+                    without_value += isinstance(error, N.Nothing)
                     continue
                 except TooLarge:
                     if not truths:
                         raise
                     break
                 truths.append(here)
-                assumed, met = assumed + truth.assumed, met + truth.met
+                assumed, met, without_value = assumed + truth.assumed, met + truth.met, without_value + truth.without_value
                 is_general = is_general or bool(point)
                 if here == FALSE:
                     return "fails", ""
@@ -150,6 +151,8 @@ def evaluate(file, identity, which="printed", seeking=False):
         signal.setitimer(signal.ITIMER_REAL, 0)
     if not truths:
         return "unknown", "no point where it means something"
+    if without_value:
+        return "unknown", "something in it has no value at some point"
     if assumed and not met:
         return "unknown", "no point was found where what is assumed is met"
     if sum(x > 0 for x in truths) * 2 > len(truths) and min(truths) >= 0:

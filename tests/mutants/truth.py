@@ -17,6 +17,7 @@ class Truth(Moving):
     def __init__(self, meaning, seed, samples=6, special=0.15):
         super().__init__(meaning, seed, samples, special)
         self.assumed = self.met = 0  # assumptions looked at, and met
+        self.without_value = 0  # points where something certainly has none
         self.is_held = 0
         self.cache = {}
 
@@ -123,7 +124,8 @@ class Truth(Moving):
                 if condition is not None and self.holds(condition, inner, moved) <= 0:
                     continue
                 here = self.bound(bindings[1:], body, everywhere, inner, moved, place)
-            except N.Undefined:
+            except N.Undefined as error:
+                self.without_value += isinstance(error, N.Nothing)
                 continue
             if here == UNKNOWN:
                 continue
