@@ -173,7 +173,8 @@ Value Evaluator::name(const Expression& e, const Scope& scope) {
   if (const auto found = globals.find(e.text); found != globals.end()) {
     const Definition& definition = found->second;
     if (definition.broken) throw Broken();
-    if (!definition.unsupported.empty()) throw Unsupported(definition.unsupported);
+    if (!definition.unsupported.empty())
+      throw Unsupported(definition.unsupported, definition.reason);
     if (definition.holds_integers) return with_integers(e.text, *definition.item);
     sides.insert(sides.end(), definition.sides.begin(), definition.sides.end());
     if (definition.value) return *definition.value;

@@ -27,9 +27,12 @@ struct Broken : std::runtime_error {
   Broken() : std::runtime_error("rests on an item with an error") {}
 };
 
-/// A statement that means something, of a kind that this version has no proof for.
+/// A statement that means something, of a kind that this version has no proof for; or one that
+/// takes more time or memory to read than was given.
 struct Unsupported : std::runtime_error {
-  using std::runtime_error::runtime_error;
+  explicit Unsupported(const std::string& detail, std::string why = "unsupported")
+      : std::runtime_error(detail), reason(std::move(why)) {}
+  std::string reason;  ///< that of an undecided claim
 };
 
 /// An integer parameter that has no value where one is wanted.
@@ -53,7 +56,8 @@ struct Definition {
   std::optional<Value> value;  ///< none: a function, or broken
   std::vector<symbolic::Proposition> sides;
   bool broken = false;
-  std::string unsupported;      ///< why no claim about it can be decided; empty: nothing
+  std::string unsupported;             ///< why no claim about it can be decided; empty: nothing
+  std::string reason = "unsupported";  ///< with that
   bool holds_integers = false;  ///< its value is another one for each of an integer parameter
 };
 

@@ -173,17 +173,20 @@ void Reader::figure(const Item& item) {
   try {
     Scope scope;
     const Expression& shown = item.expressions[0];
-    if (shown.kind == Expression::Kind::each)
-      result.functions = functions(shown, scope);
-    else
-      show(result, shown);
+    within_limits(item.span, "", "what it shows", [&] {
+      if (shown.kind == Expression::Kind::each)
+        result.functions = functions(shown, scope);
+      else
+        show(result, shown);
+    });
     for (const auto& [name, definition] : evaluator_.globals)
       if (const auto* patch =
               definition.value ? definition.value->as<geometry::Patch>() : nullptr;
           patch && shows(result, *patch))
         result.named.emplace(name, *patch);
     if (item.expressions.size() > 1)
-      result.colour = colour(result, item.expressions[1], scope);
+      within_limits(item.span, ", coloured", "its colour",
+                    [&] { result.colour = colour(result, item.expressions[1], scope); });
     else if (result.functions)
       result.colour = own_colour(*result.functions, shown);
   } catch (const Problem& problem) {

@@ -9,6 +9,7 @@
 
 #include "claims/evaluate.h"
 #include "claims/function_type.h"
+#include "claims/limits.h"
 #include "claims/meaning.h"
 #include "symbolic/proposition.h"
 
@@ -20,8 +21,8 @@ bool is_taken(const std::string& name);
 /// Reads the items of a file, one after the other, into a meaning.
 class Reader {
  public:
-  Reader(Meaning& meaning, const Opener& open)
-      : meaning_(meaning), open_(open), evaluator_(*meaning.numbers) {}
+  Reader(Meaning& meaning, const Opener& open, const Limits& limits)
+      : meaning_(meaning), open_(open), limits_(limits), evaluator_(*meaning.numbers) {}
 
   void read(const File& file) {
     for (const Item& item : file.items) {
@@ -66,15 +67,21 @@ class Reader {
   MeantFigure::Functions functions(const Expression& each, Scope&);
   MeantFigure::Colour colour(const MeantFigure&, const Expression&, const Scope&);
   MeantClaim meant(const Claim& claim, const Scope& scope, text::Span span);
-  Lowered lower(const Expression& statement, const Scope& scope);
+  Lowered lower(const Expression& statement, const Scope& scope, const std::string& part);
   void answer(MeantAsk&, const Formula& number, const std::string& decimal, int digits);
   void enclose(MeantAsk&, const Extremum&, int digits);
+  /// Does it, or throws `Unsupported` with the reason why it is left undone. `part` tells the
+  /// steps at one place apart.
+  void within_limits(const text::Span& where, const std::string& part,
+                     const std::string& subject, const std::function<void()>& step);
+  static std::string defined(const Item&, const std::string& name);
   void report(text::Diagnostic d) { meaning_.errors.push_back(std::move(d)); }
   void add_id(const std::string& id, const text::Span& where);
   void add_ids(const Claim&, const text::Span& where);  ///< and that of its correction
 
   Meaning& meaning_;
   const Opener& open_;
+  const Limits& limits_;
   Evaluator evaluator_;
   std::vector<std::unique_ptr<Item>> items_;  // functions refer to them
   std::set<std::string> included_;

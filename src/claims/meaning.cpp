@@ -8,7 +8,30 @@
 #include "claims/state.h"
 #include "claims/stating.h"
 
+// What may take long is done in steps with limits: the value of each definition, each
+// statement, each question. One that takes more is left undone; what rests on it says so.
+
 namespace seam::claims {
+namespace {
+
+// Each item has one place, and so a name of its own.
+std::string place_name(const text::Span& where) {
+  return where.source->name + ":" + std::to_string(where.begin);
+}
+
+}  // namespace
+
+void Reader::within_limits(const text::Span& where, const std::string& part,
+                           const std::string& subject, const std::function<void()>& step) {
+  if (const auto refusal = limits_(place_name(where) + part, step))
+    throw Unsupported("reading " + subject + ": " + refusal->detail, refusal->reason);
+}
+
+std::string Reader::defined(const Item& item, const std::string& name) {
+  return "'" + name + "' in line " +
+         std::to_string(text::position(*item.span.source, item.span.begin).line);
+}
+
 void Reader::read(const Item& item) {
   switch (item.kind) {
     case Item::Kind::paper:
@@ -87,9 +110,11 @@ void Reader::define(const Item& item) {
   } else if (!is_function) {
     evaluator_.sides.clear();
     try {
-      definition.value = item.kind == Item::Kind::root
-                             ? root(item)
-                             : evaluator_.evaluate(item.expressions[0], Scope{});
+      within_limits(item.span, "", defined(item, item.name), [&] {
+        definition.value = item.kind == Item::Kind::root
+                               ? root(item)
+                               : evaluator_.evaluate(item.expressions[0], Scope{});
+      });
       definition.sides = evaluator_.sides;
     } catch (const Problem& problem) {
       report(problem.diagnostic);
@@ -98,6 +123,7 @@ void Reader::define(const Item& item) {
       definition.holds_integers = true;
     } catch (const Unsupported& unsupported) {
       definition.unsupported = unsupported.what();
+      definition.reason = unsupported.reason;
     } catch (const symbolic::NumberLimit& limit) {
       definition.unsupported = limit.what();
     } catch (const Broken&) {
@@ -112,7 +138,8 @@ void Reader::begin(Definition& definition) {
   const Item& item = *definition.item;
   evaluator_.globals.insert_or_assign(item.name, definition);
   try {
-    sequence_value(evaluator_, item, Scalar(1), item.expressions[1]);
+    within_limits(item.span, "", defined(item, item.name),
+                  [&] { sequence_value(evaluator_, item, Scalar(1), item.expressions[1]); });
   } catch (const Problem& problem) {
     report(problem.diagnostic);
     definition.broken = true;
@@ -120,6 +147,7 @@ void Reader::begin(Definition& definition) {
     definition.unsupported = "a sequence whose start or step holds an integer parameter";
   } catch (const Unsupported& unsupported) {
     definition.unsupported = unsupported.what();
+    definition.reason = unsupported.reason;
   } catch (const Broken&) {
     definition.broken = true;
   }
@@ -154,14 +182,18 @@ Value Reader::root(const Item& item) {
   }
 }
 
-Lowered Reader::lower(const Expression& statement, const Scope& scope) {
+Lowered Reader::lower(const Expression& statement, const Scope& scope,
+                      const std::string& part) {
   Lowered result;
   try {
-    const Stated stated = state(evaluator_, statement, scope);
-    result.exported = exported(stated, *meaning_.numbers);
-    result.predicates = stated.predicates;
+    within_limits(statement.span, part, "it", [&] {
+      const Stated stated = state(evaluator_, statement, scope);
+      result.exported = exported(stated, *meaning_.numbers);
+      result.predicates = stated.predicates;
+    });
   } catch (const Unsupported& unsupported) {
     result.unsupported = unsupported.what();
+    result.reason = unsupported.reason;
   } catch (const symbolic::NumberLimit& limit) {
     result.unsupported = limit.what();
   } catch (const symbolic::NumberError& error) {
@@ -173,8 +205,10 @@ Lowered Reader::lower(const Expression& statement, const Scope& scope) {
 }
 
 MeantClaim Reader::meant(const Claim& claim, const Scope& scope, text::Span span) {
-  MeantClaim result{claim, {}, std::move(span), lower(claim.statement, scope), {}};
-  if (claim.corrected) result.corrected = lower(*claim.corrected, scope);
+  MeantClaim result{
+      claim, {}, std::move(span), lower(claim.statement, scope, " of " + claim.id), {}};
+  if (claim.corrected)
+    result.corrected = lower(*claim.corrected, scope, " of " + claim.id + ".corrected");
   return result;
 }
 
@@ -205,20 +239,21 @@ void Reader::claim(const Item& item) {
   }
 }
 
-Meaning mean(const File& file, const Opener& open) {
+Meaning mean(const File& file, const Opener& open, const Limits& limits) {
   Meaning meaning;
   meaning.numbers = std::make_shared<Numbers>();
-  Reader reader(meaning, open);
+  Reader reader(meaning, open, limits);
   reader.read(file);
   reader.check_using();
   return meaning;
 }
 
 MeantAsk mean_question(const File& file, const Opener& open, const Expression& expression,
-                       int digits, std::vector<text::Diagnostic>& errors) {
+                       int digits, std::vector<text::Diagnostic>& errors,
+                       const Limits& limits) {
   Meaning meaning;
   meaning.numbers = std::make_shared<Numbers>();
-  Reader reader(meaning, open);
+  Reader reader(meaning, open, limits);
   reader.read(file);
   errors = std::move(meaning.errors);
   if (!errors.empty()) return {};

@@ -11,15 +11,17 @@
 #include <vector>
 
 #include "claims/export.h"
+#include "claims/limits.h"
 #include "claims/syntax.h"
 #include "claims/value.h"
 
 namespace seam::claims {
 
-/// A statement as obligations, or the reason why this version has none for it.
+/// A statement as obligations, or why there are none for it.
 struct Lowered {
   std::optional<Exported> exported;
-  std::string unsupported;
+  std::string unsupported;             ///< a sentence
+  std::string reason = "unsupported";  ///< with that: `unsupported`, `time` or `memory`
   std::set<std::string> predicates;
 };
 
@@ -74,7 +76,7 @@ struct MeantFigure {
     std::vector<std::string> position = {};  ///< the symbols of x, y, z
   };
   std::string id, title, at;
-  std::vector<Value> values;  ///< patches, surfaces, meshes, curves
+  std::vector<Value> values;                     ///< patches, surfaces, meshes, curves
   std::map<std::string, geometry::Patch> named;  ///< those shown that have names in the file
   std::optional<Functions> functions;
   std::optional<Colour> colour;
@@ -107,11 +109,11 @@ struct Meaning {
 /// it must not or cannot be read.
 using Opener = std::function<std::shared_ptr<const text::Source>(const std::string& path)>;
 
-Meaning mean(const File&, const Opener&);
+Meaning mean(const File&, const Opener&, const Limits& = no_limits);
 
 /// A question that is not in a file: what `seamproof ask FILE 'EXPR'` wants, in the scope of
 /// all its definitions.
 MeantAsk mean_question(const File&, const Opener&, const Expression&, int digits,
-                       std::vector<text::Diagnostic>& errors);
+                       std::vector<text::Diagnostic>& errors, const Limits& = no_limits);
 
 }  // namespace seam::claims

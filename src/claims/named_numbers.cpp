@@ -61,7 +61,7 @@ const Reader::Place& Reader::place(const std::string& id) const {
 
 Lowered Reader::lower(const Expression& statement, const Place& place) {
   evaluator_.standing = place.standing;
-  Lowered result = lower(statement, place.scope);
+  Lowered result = lower(statement, place.scope, ", " + format(statement));
   evaluator_.standing.clear();
   return result;
 }
@@ -89,9 +89,10 @@ bool Reader::defines_number(const std::string& name) const {
 
 // ---- names
 
-NamedNumbers::NamedNumbers(const File& file, const Opener& open) : open_(open) {
+NamedNumbers::NamedNumbers(const File& file, const Opener& open, const Limits& limits)
+    : open_(open), limits_(limits) {
   meaning_.numbers = std::make_shared<Numbers>();
-  reader_ = std::make_unique<Reader>(meaning_, open_);
+  reader_ = std::make_unique<Reader>(meaning_, open_, limits_);
   reader_->read(file);
   const auto add_sides = [this](const std::string& id, const Expression& statement,
                                 bool is_correction) {
@@ -184,8 +185,12 @@ std::optional<PrintedNumber> NamedNumbers::likely(const std::string& name, int p
                                                   bool truncated) {
   const Named& named = *find(name);
   try {
-    std::string digits = reader_->likely_decimal(named.value, reader_->place(named.id),
-                                                 truncated ? places + more_places : places);
+    std::string digits;
+    const int wanted = truncated ? places + more_places : places;
+    const auto refusal = limits_("the digits of " + name + ", " + std::to_string(wanted), [&] {
+      digits = reader_->likely_decimal(named.value, reader_->place(named.id), wanted);
+    });
+    if (refusal) return std::nullopt;
     if (truncated) digits.resize(digits.size() - more_places);
     if (digits.ends_with('.')) digits.pop_back();
     const bool negative = digits.starts_with('-');

@@ -34,7 +34,7 @@ std::string text(const PrintedNumber&);
 /// after an id change nothing.
 class NamedNumbers {
  public:
-  NamedNumbers(const File&, const Opener&);
+  NamedNumbers(const File&, const Opener&, const Limits& = no_limits);
   ~NamedNumbers();
   NamedNumbers(const NamedNumbers&) = delete;
   NamedNumbers& operator=(const NamedNumbers&) = delete;
@@ -68,6 +68,7 @@ class NamedNumbers {
 
   Meaning meaning_;
   Opener open_;
+  Limits limits_;
   std::unique_ptr<Reader> reader_;
   std::map<std::string, Named> named_;
 };

@@ -118,11 +118,11 @@ void Reader::set_condition(const Item& item) {
 void Reader::define_param(const Item& item) {
   meaning_.items.push_back(MeantDefinition{item});
   std::vector<std::string> names;
-  const auto attempt = [&](const auto& action) {
-    std::string unsupported;
+  const auto attempt = [&](const std::string& name, const std::function<void()>& action) {
+    std::string unsupported, why = "unsupported";
     bool broken = false;
     try {
-      return action();
+      return within_limits(item.span, ", " + name, defined(item, item.names.front()), action);
     } catch (const Problem& problem) {
       report(problem.diagnostic);
       broken = true;
@@ -131,14 +131,17 @@ void Reader::define_param(const Item& item) {
       unsupported = "a condition that compares a real parameter with an integer one";
     } catch (const Unsupported& reason) {
       unsupported = reason.what();
+      why = reason.reason;
     } catch (const symbolic::NumberLimit& limit) {
       unsupported = limit.what();
     } catch (const Broken&) {
       broken = true;
     }
-    for (const std::string& name : names) {
-      evaluator_.globals[name].broken |= broken;
-      if (!unsupported.empty()) evaluator_.globals[name].unsupported = unsupported;
+    for (const std::string& each : names) {
+      evaluator_.globals[each].broken |= broken;
+      if (unsupported.empty()) continue;
+      evaluator_.globals[each].unsupported = unsupported;
+      evaluator_.globals[each].reason = why;
     }
   };
   for (const std::string& name : item.names) {
@@ -147,9 +150,9 @@ void Reader::define_param(const Item& item) {
       continue;
     }
     names.push_back(name);
-    attempt([&] { evaluator_.globals[name] = parameter(item, name); });
+    attempt(name, [&] { evaluator_.globals[name] = parameter(item, name); });
   }
-  if (names.size() == item.names.size()) attempt([&] { set_condition(item); });
+  if (names.size() == item.names.size()) attempt("where", [&] { set_condition(item); });
 }
 
 }  // namespace seam::claims

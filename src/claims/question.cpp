@@ -87,20 +87,26 @@ MeantAsk Reader::question(const std::string& id, const Expression& expression, i
   std::optional<Value> value;
   try {
     if (digits < 0 || digits > max_digits) fail(expression, "expected at most 10000 digits");
-    value = evaluator_.evaluate(expression, Scope{});
+    within_limits(expression.span, " of " + id, "it",
+                  [&] { value = evaluator_.evaluate(expression, Scope{}); });
     const std::vector<Proposition> sides = evaluator_.sides;
-    const Formula number =
-        as_number(evaluator_, evaluator_.resolved(*value, expression), expression);
-    answer(result, number, meaning_.numbers->decimal(number, digits), digits);
+    within_limits(expression.span, " of " + id + ", exactly", "it", [&] {
+      const Formula number =
+          as_number(evaluator_, evaluator_.resolved(*value, expression), expression);
+      answer(result, number, meaning_.numbers->decimal(number, digits), digits);
+    });
     evaluator_.sides = sides;
   } catch (const Unsupported& unsupported) {
     result.statement.unsupported = unsupported.what();
+    result.statement.reason = unsupported.reason;
   } catch (const symbolic::NumberLimit& limit) {
     result.statement.unsupported = limit.what();
   }
   const auto* extremum = value ? value->as<Extremum>() : nullptr;
   try {
-    if (extremum && digits <= max_digits_of_enclosure) enclose(result, *extremum, digits);
+    if (extremum && digits <= max_digits_of_enclosure)
+      within_limits(expression.span, " of " + id + ", as a decimal", "it",
+                    [&] { enclose(result, *extremum, digits); });
   } catch (const Unsupported&) {  // the statement says why
   } catch (const symbolic::NumberLimit&) {
   }

@@ -3,7 +3,8 @@
 #include "claims/item_reader.h"
 
 // A cell of a table is a claim: the expression of its row for the value of its column, compared
-// with what is printed.
+// with what is printed. Where the values of the columns take too long, there are as many
+// columns as values in the first row, and each cell says why it was not read.
 
 namespace seam::claims {
 void Reader::table(const Item& item) {
@@ -13,11 +14,20 @@ void Reader::table(const Item& item) {
   try {
     std::vector<Value> columns = {Value{Scalar(0)}};
     std::string variable;
+    std::optional<Lowered> unread;
     if (!item.columns.empty()) {
       const Expression& binding = item.columns[0];
-      const auto set = set_of(binding) && !condition_of(binding)
-                           ? evaluator_.finite_set(*set_of(binding), Scope{})
-                           : std::nullopt;
+      std::optional<std::vector<Value>> set;
+      try {
+        within_limits(item.span, "", "the columns", [&] {
+          if (set_of(binding) && !condition_of(binding))
+            set = evaluator_.finite_set(*set_of(binding), Scope{});
+        });
+      } catch (const Unsupported& unsupported) {
+        if (unsupported.reason == "unsupported" || item.rows.empty()) throw;
+        unread = Lowered{std::nullopt, unsupported.what(), unsupported.reason, {}};
+        set.emplace(item.rows.front().printed.size(), Value{Scalar(0)});
+      }
       if (!set || set->empty()) fail(binding, "a table runs over a finite set");
       columns = *set;
       evaluator_.standing = evaluator_.sides;
@@ -54,7 +64,12 @@ void Reader::table(const Item& item) {
         add_ids(cell, row.value.span);
         places_[cell.id] = {scope, evaluator_.standing};
         try {
-          meant_row.cells.push_back(meant(cell, scope, row.printed[k].span));
+          meant_row.cells.push_back(unread ? MeantClaim{cell,
+                                                        {},
+                                                        row.printed[k].span,
+                                                        *unread,
+                                                        cell.corrected ? unread : std::nullopt}
+                                           : meant(cell, scope, row.printed[k].span));
         } catch (const Problem& problem) {
           report(problem.diagnostic);
         } catch (const Broken&) {

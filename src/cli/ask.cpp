@@ -4,6 +4,7 @@
 #include "cli/commands.h"
 #include "cli/decide.h"
 #include "cli/files.h"
+#include "cli/supervisor.h"
 
 namespace seam::cli {
 
@@ -16,7 +17,7 @@ int ask(const std::string& file, const std::string& expression, int digits,
   claims::MeantAsk meant_ask;
   if (errors.empty())
     meant_ask = claims::mean_question(parsed(file), opener_beside(file), question.expression,
-                                      digits, errors);
+                                      digits, errors, limits(options, file));
   if (!errors.empty()) {
     std::string all;
     for (const auto& error : errors) all += text::render(error);

@@ -8,6 +8,7 @@
 #include "cli/one_claim.h"
 #include "cli/paper.h"
 #include "cli/printed_number.h"
+#include "cli/supervisor.h"
 #include "cli/true_digits.h"
 #include "report/terminal.h"
 
@@ -26,10 +27,13 @@ struct Claims {
   std::vector<std::string> ids;
 };
 
-Claims read(const fs::path& file) {
+Claims read(const fs::path& file, const VerifyOptions& options) {
+  const claims::Limits limits = cli::limits(options, file.string());
   Claims result{
-      file, std::make_unique<claims::NamedNumbers>(parsed(file), opener_beside(file)), {}};
-  if (!result.numbers->errors().empty()) meant(file);  // which says them all
+      file,
+      std::make_unique<claims::NamedNumbers>(parsed(file), opener_beside(file), limits),
+      {}};
+  if (!result.numbers->errors().empty()) meant(file, limits);  // which says them all
   result.ids = result.numbers->claim_ids();
   return result;
 }
@@ -52,7 +56,7 @@ class Checking {
  public:
   Checking(const std::vector<fs::path>& files, const VerifyOptions& options)
       : options_(options) {
-    for (const fs::path& file : files) all_.push_back(read(file));
+    for (const fs::path& file : files) all_.push_back(read(file, options));
   }
 
   int run(const Paper& paper) {

@@ -11,8 +11,10 @@
 #include <mutex>
 #include <optional>
 
+#include "certificate/json.h"
 #include "cli/interrupts.h"
 #include "cli/store.h"
+#include "cli/supervisor.h"
 #include "cli/worker.h"
 
 // First what the store has, then a worker for each statement that is left, as many at a time as
@@ -42,6 +44,7 @@ class Decisions {
         options_(options),
         normal_form_(normal_form),
         progress_(progress),
+        limits_(limits(options, {})),
         store_(options.store, options.effort),
         answers_(questions.size()),
         evidence_(questions.size()) {}
@@ -65,6 +68,14 @@ class Decisions {
     return questions_[i].lowered->exported->statement;
   }
 
+  // The name of judging it.
+  std::string step(std::size_t i, Decided::Origin origin) const {
+    if (!questions_[i].lowered->exported) return "nothing to judge";
+    return (origin == Decided::Origin::stored ? "judging stored evidence of "
+                                              : "judging evidence of ") +
+           certificate::digest(statement(i));
+  }
+
   bool take_from_store(std::size_t i) {
     if (!questions_[i].lowered->exported) return true;
     auto found = store_.find(statement(i));
@@ -83,9 +94,14 @@ class Decisions {
       const auto start = Clock::now();
       if (!is_ready(i)) return;
       auto& [evidence, origin, seconds] = evidence_[i];
-      Decided answer = judged(*questions_[i].lowered, *questions_[i].statement,
-                              std::move(evidence), normal_form_);
-      if (origin == Decided::Origin::stored && !answer.outcome.alarm.empty()) return;
+      const claims::Lowered& lowered = *questions_[i].lowered;
+      Decided answer;
+      const auto refusal = limits_(step(i, origin), [&] {
+        answer = judged(lowered, *questions_[i].statement, std::move(evidence), normal_form_);
+      });
+      if (origin == Decided::Origin::stored && (refusal || !answer.outcome.alarm.empty()))
+        return;
+      if (refusal) answer = not_judged(lowered, *questions_[i].statement, *refusal);
       answer.origin = origin;
       answer.seconds = seconds + std::chrono::duration<double>(Clock::now() - start).count();
       answers_[i] = std::move(answer);
@@ -154,6 +170,7 @@ class Decisions {
   const VerifyOptions& options_;
   const NormalForm& normal_form_;
   const Progress& progress_;
+  const claims::Limits limits_;
   Store store_;
   std::vector<std::optional<Decided>> answers_;
   std::vector<Found> evidence_;

@@ -76,11 +76,11 @@ claims::File parsed(const fs::path& path) {
   return std::move(result.file);
 }
 
-claims::Meaning meant(const fs::path& path) {
+claims::Meaning meant(const fs::path& path, const claims::Limits& limits) {
   // What was read is given meaning although other parts are wrong, so that all errors are told
   // at once.
   claims::Parsed result = claims::parse(open(path));
-  claims::Meaning meaning = claims::mean(result.file, opener_beside(path));
+  claims::Meaning meaning = claims::mean(result.file, opener_beside(path), limits);
   result.errors.insert(result.errors.end(), meaning.errors.begin(), meaning.errors.end());
   std::ranges::stable_sort(result.errors, [](const auto& a, const auto& b) {
     return a.where.begin < b.where.begin;

@@ -45,6 +45,6 @@ std::vector<std::filesystem::path> seam_files(const std::vector<std::string>& ar
 claims::File parsed(const std::filesystem::path&);
 
 /// Parsed and given meaning; all errors rendered into a `Failure` (65).
-claims::Meaning meant(const std::filesystem::path&);
+claims::Meaning meant(const std::filesystem::path&, const claims::Limits&);
 
 }  // namespace seam::cli

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <iostream>
+#include <sstream>
 
 #include "certificate/json.h"
 #include "claims/ids.h"
 #include "cli/commands.h"
 #include "cli/files.h"
+#include "cli/supervisor.h"
 
 namespace seam::cli {
 namespace fs = std::filesystem;
@@ -18,13 +20,14 @@ int list_claims(const std::vector<std::string>& files) {
 }
 
 int list_obligations(const std::vector<std::string>& files) {
+  std::ostringstream lines;
   for (const fs::path& file : seam_files(files)) {
-    const claims::Meaning meaning = meant(file);
-    const auto print = [](const std::string& id, const claims::Lowered& lowered) {
-      const std::string digest =
-          lowered.exported ? certificate::digest(lowered.exported->statement).substr(0, 16)
-                           : "unsupported     ";
-      std::cout << digest << "  " << id << "\n";
+    const claims::Meaning meaning = meant(file, limits({}, file.string()));
+    const auto print = [&](const std::string& id, const claims::Lowered& lowered) {
+      std::string digest = lowered.reason;
+      if (lowered.exported) digest = certificate::digest(lowered.exported->statement);
+      digest.resize(16, ' ');
+      lines << digest << "  " << id << "\n";
     };
     const auto print_claim = [&](const claims::MeantClaim& claim) {
       print(claim.claim.id, claim.printed);
@@ -37,6 +40,7 @@ int list_obligations(const std::vector<std::string>& files) {
           for (const auto& cell : row.cells) print_claim(cell);
     }
   }
+  std::cout << lines.str();
   return ok;
 }
 

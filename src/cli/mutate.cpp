@@ -8,6 +8,7 @@
 #include "cli/aside.h"
 #include "cli/files.h"
 #include "cli/outputs.h"
+#include "cli/supervisor.h"
 #include "cli/trial.h"
 
 // Of each claim an excerpt is made, the claim with what it rests on, and that is what is
@@ -188,7 +189,7 @@ Mutated mutate(const std::filesystem::path& path, const MutateOptions& options,
 
   // An excerpt that cannot be read comes of a file that cannot be read; this says why.
   if (std::ranges::any_of(claims_run, [](const MutatedClaim& c) { return c.is_error; }))
-    meant(path);
+    meant(path, limits(search, path.string()));
 
   attempts.clear();
   std::vector<MutantRun> mutants;

@@ -4,12 +4,13 @@
 #include <algorithm>
 
 #include "cli/files.h"
+#include "cli/supervisor.h"
 
 namespace seam::cli {
 
 // The one claim of a file, with everything it uses.
 Verified one_claim(const std::string& file, const std::string& id, VerifyOptions options) {
-  const claims::Meaning meaning = meant(file);
+  const claims::Meaning meaning = meant(file, limits(options, file));
   std::vector<std::string> ids;
   std::map<std::string, std::vector<std::string>> uses;
   for (const auto& item : meaning.items) {

@@ -86,6 +86,27 @@ bool withdraw_guesses(const Statement& statement, Evidence& evidence,
 
 }  // namespace
 
+certificate::Evidence no_evidence(const Statement& statement, const std::string& reason,
+                                  const std::string& detail) {
+  Evidence evidence;
+  evidence.proofs.assign(statement.obligations.size(), certificate::Nothing{reason, detail});
+  return evidence;
+}
+
+Decided not_judged(const claims::Lowered& lowered, const claims::Expression& statement,
+                   const claims::Refusal& why) {
+  Decided result;
+  report::Outcome& outcome = result.outcome;
+  const Statement& claimed = lowered.exported->statement;
+  outcome.text = claims::format(statement);
+  outcome.latex = claims::latex(statement);
+  outcome.digest = certificate::digest(claimed);
+  outcome.reason = why.reason;
+  outcome.detail = "judging its evidence: " + why.detail;
+  result.evidence = no_evidence(claimed, outcome.reason, outcome.detail);
+  return result;
+}
+
 Decided judged(const claims::Lowered& lowered, const claims::Expression& statement,
                Evidence evidence, const NormalForm& normal_form) {
   Decided result;
@@ -93,7 +114,7 @@ Decided judged(const claims::Lowered& lowered, const claims::Expression& stateme
   outcome.text = claims::format(statement);
   outcome.latex = claims::latex(statement);
   if (!lowered.exported) {
-    outcome.reason = "unsupported";
+    outcome.reason = lowered.reason;
     outcome.detail = lowered.unsupported;
     return result;
   }

@@ -27,4 +27,13 @@ using NormalForm = std::function<symbolic::Formula(const symbolic::Formula&)>;
 Decided judged(const claims::Lowered&, const claims::Expression& statement,
                certificate::Evidence, const NormalForm&);
 
+/// Undecided with that reason: the checker was not asked, or did not end in time. Of a
+/// statement with obligations.
+Decided not_judged(const claims::Lowered&, const claims::Expression& statement,
+                   const claims::Refusal&);
+
+/// For each obligation nothing, and why.
+certificate::Evidence no_evidence(const certificate::Statement&, const std::string& reason,
+                                  const std::string& detail);
+
 }  // namespace seam::cli

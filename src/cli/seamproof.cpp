@@ -6,6 +6,7 @@
 #include "cli/completion.h"
 #include "cli/files.h"
 #include "cli/manual.h"
+#include "cli/supervisor.h"
 
 using namespace seam::cli;
 
@@ -42,7 +43,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
-    return run(argc, argv);
+    return supervised([&] { return run(argc, argv); });
   } catch (const Failure& failure) {
     std::cerr << failure.message;
     return failure.status;

@@ -7,6 +7,7 @@
 
 #include "cli/decide.h"
 #include "cli/files.h"
+#include "cli/supervisor.h"
 
 // The digits are searched for without proof; that they are right is a statement of its own,
 // which the checker accepts or not. The file is read again for that, only where something is
@@ -90,7 +91,8 @@ void add_true_digits(Verified& verified, const claims::Meaning& meaning,
       continue;
     }
     if (!numbers)
-      numbers = std::make_unique<claims::NamedNumbers>(parsed(file), opener_beside(file));
+      numbers = std::make_unique<claims::NamedNumbers>(parsed(file), opener_beside(file),
+                                                       limits(options, file.string()));
     auto right = certified(*numbers, claim->id, printed->places(), printed->truncated, options);
     if (!right) continue;
     claim->true_digits = claims::text(right->number);

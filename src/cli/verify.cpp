@@ -10,9 +10,10 @@
 #include "claims/latex.h"
 #include "claims/rests_on.h"
 #include "cli/decide.h"
+#include "cli/drawn.h"
 #include "cli/files.h"
+#include "cli/supervisor.h"
 #include "cli/true_digits.h"
-#include "draw/figure.h"
 #include "draw/figure_marks.h"
 #include "symbolic/second_opinion.h"
 
@@ -58,7 +59,8 @@ void run(std::vector<Task>& tasks, const claims::Meaning& meaning, const VerifyO
 }
 
 // Every accepted obligation once more by a third arithmetic, at one point; one after the other.
-void ask_for_second_opinions(std::vector<Task>& tasks) {
+// One that takes too long is no alarm.
+void ask_for_second_opinions(std::vector<Task>& tasks, const claims::Limits& within) {
   for (Task& task : tasks) {
     const claims::Lowered& lowered =
         task.is_otherwise ? *task.otherwise : *task.question.lowered;
@@ -67,9 +69,11 @@ void ask_for_second_opinions(std::vector<Task>& tasks) {
     report::Outcome& outcome = task.decided.outcome;
     for (std::size_t i = 0; i < outcome.obligations.size() && outcome.alarm.empty(); ++i) {
       if (outcome.obligations[i].status != report::ObligationRun::Status::holds) continue;
-      if (const auto contradiction =
-              symbolic::contradiction(statement, statement.obligations[i]))
-        outcome.alarm = outcome.obligations[i].kind + ": " + *contradiction;
+      within("a second opinion on " + std::to_string(i) + " of " + outcome.digest, [&] {
+        if (const auto contradiction =
+                symbolic::contradiction(statement, statement.obligations[i]))
+          outcome.alarm = outcome.obligations[i].kind + ": " + *contradiction;
+      });
     }
   }
 }
@@ -257,10 +261,11 @@ bool selected(const std::string& id, const std::vector<std::string>& patterns) {
 
 Verified verify(const std::filesystem::path& file, const VerifyOptions& options,
                 const Progress& progress) {
-  const claims::Meaning meaning = meant(file);
+  const claims::Limits within = limits(options, file.string());
+  const claims::Meaning meaning = meant(file, within);
   std::vector<Task> tasks = tasks_of(meaning, options.claims);
   run(tasks, meaning, options, progress);
-  ask_for_second_opinions(tasks);
+  ask_for_second_opinions(tasks, within);
 
   Assembly assembly(tasks, meaning, file.string());
   Verified result;
@@ -295,7 +300,8 @@ Verified verify(const std::filesystem::path& file, const VerifyOptions& options,
     } else if (const auto* ask = std::get_if<claims::MeantAsk>(&item)) {
       if (selected(ask->id, options.claims)) result.run.items.push_back(assembly.ask(*ask));
     } else if (const auto* figure = std::get_if<claims::MeantFigure>(&item)) {
-      result.run.items.push_back(draw::sampled(*figure, *meaning.numbers));
+      result.run.items.push_back(
+          drawn(*figure, *meaning.numbers, result.run.items.size(), within));
     }
   }
   result.certificates = std::move(assembly.certificates);

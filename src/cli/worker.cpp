@@ -17,6 +17,7 @@
 #include "certificate/json.h"
 #include "cli/files.h"
 #include "cli/forked.h"
+#include "cli/outcome.h"
 #include "prove/prove.h"
 
 // The statement is in memory already when the process branches off; the evidence comes back
@@ -26,8 +27,6 @@
 
 namespace seam::cli {
 namespace {
-
-using certificate::Nothing;
 
 constexpr std::chrono::seconds grace{2};
 
@@ -55,13 +54,6 @@ constexpr std::chrono::seconds grace{2};
     _exit(internal);
   }
   _exit(ok);
-}
-
-certificate::Evidence nothing(const certificate::Statement& statement, const char* reason,
-                              const std::string& detail) {
-  certificate::Evidence evidence;
-  evidence.proofs.assign(statement.obligations.size(), Nothing{reason, detail});
-  return evidence;
 }
 
 }  // namespace
@@ -114,7 +106,7 @@ Worker::Left Worker::left() const {
   const auto now = Clock::now();
   const double seconds = std::chrono::duration<double>(now - start_).count();
   const auto without = [&](const char* reason, const std::string& detail) {
-    return Left{nothing(*statement_, reason, detail), {}, false, seconds};
+    return Left{no_evidence(*statement_, reason, detail), {}, false, seconds};
   };
   if (is_late_) return without("time", "the time given was over");
   if (text_.size() > certificate::max_bytes)
