@@ -56,18 +56,6 @@ void check(const std::optional<report::FileError>& error) {
   if (error) throw Failure{io_error, error->message + "\n"};
 }
 
-void write_figures(const fs::path& folder, const report::FileRun& run, bool pdf) {
-  for (const auto& [name, figure] : report::figures(run)) {
-    write(folder / (name + ".svg"), report::svg(*figure));
-    write(folder / (name + ".glb"), report::glb(*figure));
-    if (pdf) check(report::typeset(report::page(*figure), folder / (name + ".pdf")));
-  }
-}
-
-}  // namespace
-
-namespace {
-
 report::Colour colour_of(const std::string& word) {
   if (word == "always") return report::Colour::always;
   return word == "never" ? report::Colour::never : report::Colour::automatic;
@@ -94,21 +82,34 @@ void write_folder(const fs::path& folder, const Verified& verified, const Output
   const report::FileRun& file = run.files.front();
   const Uninterrupted whole;
   remove_unfinished(folder);
-  remove_vanished(folder, verified);
+  report::FileSet files;
+  const auto add = [&](const fs::path& name, const std::string& bytes) {
+    check(files.add(folder / name, bytes));
+  };
   for (const auto& [name, certificate] : verified.certificates)
-    write(folder / name, certificate::write(certificate));
+    add(name, certificate::write(certificate));
   const bool is_news = bytes_of(folder / "results.json") != results;
-  write(folder / "results.json", results);
-  write(folder / "report.tex", report::latex(run));
-  if (outputs.html) write(folder / "report.html", report::html(run));
+  add("report.tex", report::latex(run));
+  if (outputs.html) add("report.html", report::html(run));
   const auto fragments =
       outputs.fragments ? report::fragments(file) : std::map<std::string, std::string>();
-  for (const auto& [name, bytes] : fragments) write(folder / "fragments" / name, bytes);
-  write_figures(folder / "figures", file, outputs.pdf);
-  if (outputs.pdf) check(report::typeset(folder / "report.tex"));
+  for (const auto& [name, bytes] : fragments) add("fragments" / fs::path(name), bytes);
+  const auto figures = report::figures(file);
+  for (const auto& [name, figure] : figures) {
+    add("figures" / fs::path(name + ".svg"), report::svg(*figure));
+    add("figures" / fs::path(name + ".glb"), report::glb(*figure));
+  }
+  add("results.json", results);
+  check(files.put_in_place());
+  remove_vanished(folder, verified);
+  if (outputs.pdf) {
+    for (const auto& [name, figure] : figures)
+      check(report::typeset(report::page(*figure), folder / "figures" / (name + ".pdf")));
+    check(report::typeset(folder / "report.tex"));
+  }
   std::set<std::string> written;
   for (const auto& [name, bytes] : fragments) written.insert("fragments/" + name);
-  for (const auto& [name, figure] : report::figures(file))
+  for (const auto& [name, figure] : figures)
     for (const char* kind : {".svg", ".glb", ".pdf"})
       if (outputs.pdf || std::string_view(kind) != ".pdf")
         written.insert("figures/" + (name + kind));

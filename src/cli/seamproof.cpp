@@ -7,6 +7,7 @@
 #include "cli/files.h"
 #include "cli/manual.h"
 #include "cli/supervisor.h"
+#include "text/standard_streams.h"
 
 using namespace seam::cli;
 
@@ -42,8 +43,14 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  seam::text::hold_standard_streams();
   try {
-    return supervised([&] { return run(argc, argv); });
+    return supervised([&] {
+      const int status = run(argc, argv);
+      const std::string failure = seam::text::end_of_output();
+      if (!failure.empty()) throw Failure{io_error, failure};
+      return status;
+    });
   } catch (const Failure& failure) {
     std::cerr << failure.message;
     return failure.status;

@@ -13,6 +13,7 @@
 #include "certificate/json.h"
 #include "certificate/to_json.h"
 #include "check/judge.h"
+#include "text/standard_streams.h"
 
 // Judges certificates anew from their files. A claim is *established* when its own
 // certificate says proven, the judge agrees, and all that it uses is established: the least
@@ -24,7 +25,7 @@ using namespace seam;
 using certificate::Certificate;
 using certificate::Verdict;
 
-constexpr int exit_invalid = 3, exit_usage = 64, exit_no_input = 66;
+constexpr int exit_invalid = 3, exit_usage = 64, exit_no_input = 66, exit_output = 74;
 
 constexpr const char* usage =
     "usage: seamproof-check DIR|FILE...\n"
@@ -187,10 +188,7 @@ int judge_all(const std::set<std::filesystem::path>& files) {
   return counts[Answer::invalid] > 0 ? exit_invalid : 0;
 }
 
-}  // namespace
-
-int main(int count, char** words) {
-  const std::vector<std::string> arguments(words + 1, words + count);
+int run(const std::vector<std::string>& arguments) {
   std::set<std::filesystem::path> files;
   for (const std::string& argument : arguments) {
     if (argument == "--help" || argument == "-h") {
@@ -226,4 +224,15 @@ int main(int count, char** words) {
     std::cerr << "seamproof-check: " << printable(error.what()) << '\n';
     return exit_no_input;
   }
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  seam::text::hold_standard_streams();
+  const int status = run({words + 1, words + count});
+  const std::string failure = seam::text::end_of_output();
+  if (failure.empty()) return status;
+  std::cerr << "seamproof-check: " << failure;
+  return exit_output;
 }

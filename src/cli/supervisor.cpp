@@ -170,6 +170,7 @@ void prepare_program() {
   sigemptyset(&action.sa_mask);
   sigaction(SIGALRM, &action, nullptr);
   handle(SIGABRT, at_abort);
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is one that cannot be written
   std::set_new_handler(at_end_of_memory);
 }
 
