@@ -22,6 +22,7 @@
 
 #include "certificate/sha256.h"
 #include "cli/files.h"
+#include "report/file.h"
 
 // Nothing that computes can be stopped in the middle and the rest be trusted: libraries of
 // numbers hold locks and half-made values, and end the process where there is no memory. So the
@@ -245,6 +246,7 @@ int supervised(const std::function<int()>& program) {
       if (getppid() != supervisor) _exit(internal);
       for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_DFL);
       own_process = getpid();
+      report::write_for(supervisor);
       prepare_program();
       sigprocmask(SIG_SETMASK, &before, nullptr);
       return program();

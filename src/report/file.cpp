@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <fstream>
 #include <system_error>
@@ -13,6 +14,8 @@
 
 namespace seam::report {
 namespace {
+
+std::atomic<long> named_process = 0;
 
 FileError cannot_write(const std::filesystem::path& path, const std::string& why) {
   return {"cannot write " + path.string() + ": " + why};
@@ -37,6 +40,10 @@ bool is_device(const std::filesystem::path& path) {
 
 }  // namespace
 
+void write_for(long process) {
+  named_process = process;
+}
+
 FileSet::~FileSet() {
   std::error_code ignored;
   for (const auto& [unfinished, path] : files_) std::filesystem::remove(unfinished, ignored);
@@ -48,7 +55,8 @@ std::optional<FileError> FileSet::add(const std::filesystem::path& path,
   if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), error);
   if (error) return cannot_write(path, error.message());
   std::filesystem::path unfinished = path;
-  unfinished += ".unfinished-" + std::to_string(getpid());
+  unfinished +=
+      ".unfinished-" + std::to_string(named_process > 0 ? named_process.load() : getpid());
   files_.emplace_back(unfinished, path);
   error = write_bytes(unfinished, bytes);
   if (error) return cannot_write(path, error.message());

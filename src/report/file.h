@@ -38,4 +38,8 @@ class FileSet {
   std::vector<std::pair<std::filesystem::path, std::filesystem::path>> files_;
 };
 
+/// From now on unfinished files are named for this process instead of the one that writes them:
+/// one that does not outlive it. Whether they are still wanted is whether it is there.
+void write_for(long process);
+
 }  // namespace seam::report

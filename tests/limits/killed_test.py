@@ -67,7 +67,7 @@ def kill_at_many_moments(report, seamproof, paper, times, folder):
     for number in range(times):
         # Early ones find no store; of the later ones every second one is near the end, where files are written.
         length = undisturbed.seconds if number < times // 3 else seconds
-        moment = draw.uniform(0, length) if number % 2 else draw.uniform(0.7 * length, 1.2 * length)
+        moment = draw.uniform(0, 0.8 * length) if number % 2 else draw.uniform(0.4 * length, length)
         process = start(command, environment())
         try:
             process.wait(timeout=moment)
