@@ -46,12 +46,13 @@ CLI::Validator above_zero() {
 /// How long, how far and how broadly is searched.
 void add_search(CLI::App* command, VerifyOptions& to) {
   command
-      ->add_option("--timeout", to.timeout,
-                   "seconds that the search for one statement may take")
+      ->add_option(
+          "--timeout", to.timeout,
+          "seconds that each step of a claim may take: reading it, the search, judging")
       ->type_name("S")
       ->check(above_zero())
       ->capture_default_str();
-  command->add_option("--memory", to.memory, "MiB that the search for one statement may take")
+  command->add_option("--memory", to.memory, "MiB that each of these steps may take")
       ->type_name("MIB")
       ->check(above_zero());
   command->add_option("--effort", to.effort, "pieces a subdivision may have")

@@ -15,7 +15,7 @@ namespace seam::cli {
 struct VerifyOptions {
   std::vector<std::string> claims;  ///< ids or globs; empty: all
   int jobs = 1;
-  double timeout = 300;  ///< seconds that the search for one statement may take
+  double timeout = 300;  ///< seconds that each step of a statement may take
   long memory = 0;       ///< mebibytes that it may take; 0: any
   long effort = 20'000;
   std::string store;  ///< folder of evidence of earlier runs; empty: none
