@@ -93,17 +93,20 @@ class Decisions {
       const std::size_t i = indices[k];
       const auto start = Clock::now();
       if (!is_ready(i)) return;
-      auto& [evidence, origin, seconds] = evidence_[i];
+      Found& found = evidence_[i];
+      const Decided::Origin origin = found.origin;
       const claims::Lowered& lowered = *questions_[i].lowered;
       Decided answer;
       const auto refusal = limits_(step(i, origin), [&] {
-        answer = judged(lowered, *questions_[i].statement, std::move(evidence), normal_form_);
+        answer =
+            judged(lowered, *questions_[i].statement, std::move(found.evidence), normal_form_);
       });
       if (origin == Decided::Origin::stored && (refusal || !answer.outcome.alarm.empty()))
         return;
       if (refusal) answer = not_judged(lowered, *questions_[i].statement, *refusal);
       answer.origin = origin;
-      answer.seconds = seconds + std::chrono::duration<double>(Clock::now() - start).count();
+      answer.seconds =
+          found.seconds + std::chrono::duration<double>(Clock::now() - start).count();
       answers_[i] = std::move(answer);
       if (origin == Decided::Origin::stored) tell(i, true);
     });
