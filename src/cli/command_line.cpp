@@ -76,16 +76,20 @@ void add_search(CLI::App* command, VerifyOptions& to) {
       ->excludes(store);
 }
 
-void add_verify(CLI::App& app, Arguments& to) {
-  CLI::App* command = add_command(app, to, "verify", "decide every claim of the files", [&to] {
-    return verify_files(to.files, to.search, to.outputs);
-  });
-  add_files(command, to);
+void add_claims(CLI::App* command, Arguments& to) {
   command
       ->add_option("--claim", to.search.claims,
                    "only claims with this id, or matching this glob")
       ->type_name("ID-OR-GLOB")
       ->allow_extra_args(false);
+}
+
+void add_verify(CLI::App& app, Arguments& to) {
+  CLI::App* command = add_command(app, to, "verify", "decide every claim of the files", [&to] {
+    return verify_files(to.files, to.search, to.outputs);
+  });
+  add_files(command, to);
+  add_claims(command, to);
   command
       ->add_option("--out", to.outputs.out,
                    "folder for report.tex, results.json and certificates/")
@@ -131,6 +135,21 @@ void add_report(CLI::App& app, Arguments& to) {
   command->add_flag("--html", to.outputs.html, "as a page, too");
   command->add_flag("--fragments", to.outputs.fragments,
                     "parts of it for a paper to input, with their style");
+  add_search(command, to.search);
+}
+
+void add_export(CLI::App& app, Arguments& to) {
+  CLI::App* command =
+      add_command(app, to, "export", "certificates as theorems for a proof assistant",
+                  [&to] { return export_coq(to.file, to.outputs.out, to.search); });
+  command->add_option("DIR|FILE", to.file, "a folder that verify --out wrote, or a .seam file")
+      ->type_name("")
+      ->required();
+  command->add_flag("--coq", to.for_coq, "for Coq, whose coqc proves them again")->required();
+  command->add_option("--out", to.outputs.out, "folder for the files")
+      ->type_name("DIR")
+      ->required();
+  add_claims(command, to);
   add_search(command, to.search);
 }
 
@@ -232,6 +251,7 @@ std::unique_ptr<CLI::App> command_line(Arguments& to) {
 
   add_verify(*app, to);
   add_report(*app, to);
+  add_export(*app, to);
   add_ask(*app, to);
   add_claim_command(*app, to, "explain", "what a claim was turned into and how it was decided",
                     explain);

@@ -27,6 +27,7 @@ struct Arguments {
   VerifyOptions trials;  ///< of mutants: each may take less
   int digits = 30;
   bool in_place = false;
+  bool for_coq = false;
 
   std::function<int()> command;  ///< set by parsing; what it returns is the exit status
 };

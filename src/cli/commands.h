@@ -27,6 +27,8 @@ int check_tex(const std::string& paper, const std::vector<std::string>& files,
 /// How much each claim notices of small changes of the file.
 int mutate_file(const std::string& file, const MutateOptions&, const VerifyOptions&,
                 const Outputs&);
+/// The certificates of a folder with results, or of a .seam file, as files for Coq.
+int export_coq(const std::string& from, const std::string& to, const VerifyOptions&);
 int start_file(const std::string& name);
 
 }  // namespace seam::cli

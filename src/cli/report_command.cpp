@@ -6,8 +6,7 @@
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "cli/judge_again.h"
-#include "report/read_json.h"
-#include "text/utf8.h"
+#include "cli/results.h"
 
 // A folder that `verify --out` wrote is reported from its results.json and its certificates,
 // without the prover; .seam files and folders of them are verified.
@@ -15,27 +14,6 @@
 namespace seam::cli {
 namespace fs = std::filesystem;
 namespace {
-
-bool has_results(const fs::path& folder) {
-  std::error_code error;
-  return fs::is_regular_file(folder / "results.json", error);
-}
-
-report::Run results_in(const fs::path& folder) {
-  const fs::path path = folder / "results.json";
-  auto read = report::read_json(open(path)->bytes);
-  if (const auto* error = std::get_if<report::JsonError>(&read))
-    throw Failure{bad_file, path.string() + ": " +
-                                (error->where.empty() ? "" : error->where + ": ") +
-                                "error: " + text::printable(error->message) + "\n" +
-                                (error->hint.empty() ? "" : "  hint: " + error->hint + "\n")};
-  auto run = std::get<report::Run>(std::move(read));
-  if (run.files.size() != 1)
-    throw Failure{bad_file, path.string() +
-                                ": files: error: expected the results of one file, "
-                                "as `verify --out` writes them\n"};
-  return run;
-}
 
 std::string name_of(const fs::path& folder) {
   return fs::weakly_canonical(folder).filename().string();
