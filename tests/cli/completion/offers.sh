@@ -25,7 +25,7 @@ offers() {  # LINE WORD...
 }
 
 offers 'seamproof ver' verify
-offers 'seamproof ex' explain
+offers 'seamproof exp' explain export
 offers 'seamproof --v' --version
 offers 'seamproof verify --all' --allow-undecided
 offers 'seamproof verify --quiet --qu' ''
