@@ -114,9 +114,10 @@ def features(path):
 
 
 def small_choice(folder, names, seen):
-    """Of the files, by rising size, those that use a rule that is not among those seen."""
+    """Of the files up to a size, by rising size, those that use a rule not among those seen."""
     chosen = []
-    for name in sorted(names, key=lambda name: ((folder / name).stat().st_size, name)):
+    small = [name for name in names if (folder / name).stat().st_size <= 60_000]
+    for name in sorted(small, key=lambda name: ((folder / name).stat().st_size, name)):
         new = features(folder / name) - seen
         if new:
             chosen.append(name)

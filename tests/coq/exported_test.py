@@ -3,8 +3,8 @@
 
     exported_test.py SEAMPROOF REPORTS WORK [--all]
 
-With --all every file; else, paper by paper and by rising size, those that use a rule of the
-library that no file before uses. Every obligation zero and sign of platonic-spheroids must be exported.
+With --all every file; else of those up to 60 kB, paper by paper and by rising size, the ones
+that use a rule of the library that no file before uses. Every obligation zero and sign of platonic-spheroids must be exported.
 """
 
 import sys
