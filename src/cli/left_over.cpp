@@ -12,6 +12,16 @@ namespace seam::cli {
 namespace fs = std::filesystem;
 namespace {
 
+// Whether a process is at work. One that was killed may stay in the list of processes for a
+// while, as a zombie (Z).
+bool is_at_work(const std::string& process) {
+  std::ifstream file("/proc/" + process + "/stat");
+  std::string stat;
+  if (!std::getline(file, stat)) return false;
+  const std::size_t name_end = stat.rfind(") ");  // the name may hold anything
+  return name_end == std::string::npos || stat.compare(name_end + 2, 1, "Z") != 0;
+}
+
 // The process that wrote it, by the end of its name, is no more.
 bool is_unfinished(const fs::path& file) {
   static const std::string mark = ".unfinished-";
@@ -20,7 +30,7 @@ bool is_unfinished(const fs::path& file) {
   if (at == std::string::npos) return false;
   const std::string process = name.substr(at + mark.size());
   return !process.empty() && process.find_first_not_of("0123456789") == std::string::npos &&
-         !fs::exists(fs::path("/proc") / process);
+         !is_at_work(process);
 }
 
 bool is_certificate(const fs::path& file) {
