@@ -71,7 +71,7 @@ struct Pieces {
 ///                 where that condition holds, so does f R 0. No parts.
 ///   factors       f, or -f if R is one of < <=, is the product of the terms; parts: for each,
 ///                 that it is > 0, >= 0 or != 0, as R is strict, weak, or !=.
-///   squares       terms: w_1 ... w_n, q_1 ... q_n, and if R is strict or != also m_1 ... m_n.
+///   squares       terms: w_1 ... w_n, q_1 ... q_n, and, as R strict or != needs, m_1 ... m_n.
 ///                 f = sum w_i q_i^2, the w_i numbers != 0 all of the sign that R wants (for
 ///                 !=: of one). If there are m_i: parts: (the product of the formulas of the
 ///                 conditions) - sum m_i q_i = 0; each of these conditions excludes 0.

@@ -71,8 +71,8 @@ def sign_fails(program, domain, formula, relation, terms, evidence):
         if not domain.in_factors(point) or not domain.meets(point):
             return False
         at.append(program.sign(program.tower.reduce(formula.replace(point))))
-    if len(at) == 1:
-        return not relation_holds(at[0], relation)
+        if not relation_holds(at[0], relation):
+            return True
     convex = relation == "!=" and not domain.conditions and not program.functions_of(terms)
     return len(at) == 2 and convex and at[0] * at[1] == -1
 

@@ -190,7 +190,7 @@ class Step:
         squares, weights, excluded, cofactors, ideal = members(
             proof, "squares", "weights", "excluded", "cofactors", "ideal")
         squares, cofactors, conditions = self.terms(squares), self.terms(cofactors), self.known(excluded)
-        if (self.relation not in EXCLUDE_ZERO or not self.is_sum_of_squares(squares, self.terms(weights))
+        if (self.relation == "=" or not self.is_sum_of_squares(squares, self.terms(weights))
                 or len(cofactors) != len(squares) or any(r not in EXCLUDE_ZERO for _, r in conditions)):
             return False
         difference = ONE
