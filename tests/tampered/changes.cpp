@@ -143,13 +143,14 @@ class Walk {
   void integers(int value, const Json::json_pointer& place, const std::string& name) {
     static const std::set<std::string> exponents = {"exponent", "multiplicities", "power",
                                                     "degree"};
-    static const std::set<std::string> counts = {"euler", "values", "vertices"};
+    static const std::set<std::string> counts = {"euler", "vertices"};
     const std::string kind = name == "corners"          ? "corner of a domain changed"
                              : name == "polynomial"     ? "generator polynomial changed"
                              : name == "goal"           ? "goal changed"
                              : exponents.contains(name) ? "exponent changed"
-                             : counts.contains(name)    ? "count changed"
-                                                        : "index changed";
+                             : counts.contains(name) || (name == "values" && part_ == "mesh")
+                                 ? "count changed"
+                                 : "index changed";
     for (const int other : std::set{value + 1, value - 1, 0, 1, -1})
       if (other != value) put(kind, place, other);
   }

@@ -55,7 +55,7 @@ def main(path, most):
         if found == "contrary":
             print(f"CONTRARY: {question['file']}, {question['kind']} at {question['place']}: "
                   f"{question['shown']}; the second checker: {why}")
-    print(f"\n{len(questions)} changed certificates decide another statement\n")
+    print(f"\n{len(questions)} changed certificates decide their statement\n")
     print("| kind of change | asked |", " | ".join(ANSWERS), "|\n| --- |", " | ".join(["---:"] * 4), "|")
     total = Counter()
     for kind, found in sorted(counts.items()):

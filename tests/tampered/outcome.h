@@ -29,7 +29,7 @@ struct Outcome {
   };
   Kind kind = Kind::unchanged;
   std::string reason;
-  /// That the evidence shows: for a second judge, where this is a statement of its own.
+  /// What the evidence shows, whatever the certificate says: a second judge is asked.
   certificate::Verdict shown = certificate::Verdict::undecided;
 };
 

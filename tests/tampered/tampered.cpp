@@ -17,9 +17,9 @@
 
 // tampered QUESTIONS CAP LONGEST FOLDER...: changes every certificate of the folders that has
 // LONGEST bytes or fewer. Of the changes of one kind in one part of a certificate CAP are made,
-// evenly spread. Writes to QUESTIONS, a line each, the changed certificates that decide a
-// statement which the original does not. The evidence of the next certificates is put under
-// each statement, too.
+// evenly spread. Writes to QUESTIONS, a line each, the changed certificates that still decide a
+// statement: the same by other evidence, or another. The evidence of the next certificates is
+// put under each statement, too.
 
 namespace {
 
@@ -111,11 +111,7 @@ class Campaign {
       std::cout << "WRONG: " << original.file << ", " << kind << " at " << place << ": "
                 << outcome.reason << '\n';
     }
-    const bool decides = outcome.shown != certificate::Verdict::undecided;
-    if (!decides || outcome.kind == Outcome::Kind::same_statement) return;
-    const bool is_as_before =
-        changed["statement"] == original.json["statement"] && outcome.shown == original.verdict;
-    if (is_as_before) return;
+    if (outcome.shown == certificate::Verdict::undecided) return;
     questions_ << Json{{"file", original.file},
                        {"kind", kind},
                        {"part", part},
