@@ -61,7 +61,8 @@ def of_claim(claim, others):
         for status in STATUSES:
             if status != finding["status"]:
                 yield "status of an obligation changed", lambda c, k=i, s=status: c["findings"][k].update(status=s)
-        yield "obligation left out", lambda c, k=i: c["findings"].pop(k)
+        if claim["verdict"] != "undecided":  # what was not decided may be listed without its obligations
+            yield "obligation left out", lambda c, k=i: c["findings"].pop(k)
     yield from of_outcome(claim, others)
     for kind, change in of_outcome(claim.get("digits_confirmed", {}), others):
         yield kind + ", of digits", lambda c, f=change: f(c["digits_confirmed"])
