@@ -114,7 +114,10 @@ def switched(source, chosen):
 
 def mutants(root, path):
     """Those of a file, in the order in which they stand."""
-    source = Path(root, path).read_text(encoding="utf-8")
+    return mutants_in(path, Path(root, path).read_text(encoding="utf-8"))
+
+
+def mutants_in(path, source):
     seen = {}
     for kind, (start, end), text in sorted(changes(blanked(source)), key=lambda change: (change[1], change[0])):
         if source[start:end] == text:
