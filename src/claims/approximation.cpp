@@ -77,7 +77,10 @@ Proposition Stating::approximation(const Expression& at, const Value& left,
       compare(at, left, open_high ? "<" : "<=", {Scalar(Formula(high))}, context, true);
   above.about = "not below " + low.get_str();
   below.about = "not above " + high.get_str();
-  Proposition both = symbolic::all({std::move(above), std::move(below)});
+  const char* const unit =
+      truncated ? "the last printed digit" : "half a unit of the last printed digit";
+  const Formula size(truncated ? decimal->unit : half);
+  Proposition both = in_units(symbolic::all({std::move(above), std::move(below)}), size, unit);
   if (positive) return both;
   if (!context.empty()) throw Unsupported("'not' of a printed value under 'for all'");
   return symbolic::negation(std::move(both));

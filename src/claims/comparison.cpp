@@ -267,7 +267,11 @@ Constraint Stating::compared(const Scalar& a, const std::string& operation, cons
   // exp increases: exp(A) R exp(B) is A R B.
   if (holds_exponential(a) || holds_exponential(b)) {
     const auto left = exponent(a, evaluator.numbers), right = exponent(b, evaluator.numbers);
-    if (left && right) return related(*left - *right, relation_of(operation), context, at);
+    if (left && right) {
+      Constraint of_exponents = related(*left - *right, relation_of(operation), context, at);
+      of_exponents.scale.reset();
+      return of_exponents;
+    }
   }
   return related(a - b, relation_of(operation), context, at);
 }
@@ -277,10 +281,31 @@ Constraint Stating::related(const Scalar& difference, Relation relation, const C
   guard(difference, context, at);
   if (difference.denominator.is(1) || relation == Relation::zero ||
       relation == Relation::nonzero)
-    return {difference.numerator, relation};
-  const auto sign = guard_denominator(difference.denominator, context, at);
-  if (!sign) return {difference.numerator * difference.denominator, relation};
-  return {difference.numerator, *sign == exact::Sign::positive ? relation : flipped(relation)};
+    return {difference.numerator, relation, Formula(1)};
+  const Formula& denominator = difference.denominator;
+  const auto sign = guard_denominator(denominator, context, at);
+  if (!sign)
+    return {difference.numerator * denominator, relation, symbolic::power(denominator, 2)};
+  if (*sign == exact::Sign::positive) return {difference.numerator, relation, denominator};
+  return {difference.numerator, flipped(relation), -denominator};
+}
+
+Proposition measured(Proposition p, const symbolic::Constraint& compared,
+                     const std::string& unit) {
+  for (Proposition& part : p.parts) part = measured(std::move(part), compared, unit);
+  if (p.kind != Proposition::Kind::atom) return p;
+  if (auto* sign = std::get_if<symbolic::Sign>(&p.atom);
+      sign && compared.scale && sign->formula.same(compared.formula))
+    sign->measure = {*compared.scale, unit};
+  return p;
+}
+
+Proposition in_units(Proposition p, const Formula& size, const std::string& unit) {
+  for (Proposition& part : p.parts) part = in_units(std::move(part), size, unit);
+  if (p.kind != Proposition::Kind::atom) return p;
+  if (auto* sign = std::get_if<symbolic::Sign>(&p.atom); sign && !sign->measure.unit.empty())
+    sign->measure = {sign->measure.scale * size, unit};
+  return p;
 }
 
 }  // namespace seam::claims

@@ -7,8 +7,10 @@
 #include <unordered_map>
 
 #include "claims/angles.h"
+#include "claims/conjunction.h"
 #include "claims/describe.h"
 #include "claims/evaluate.h"
+#include "claims/measure.h"
 #include "exact/contract.h"
 #include "symbolic/atoms.h"
 
@@ -35,6 +37,7 @@ class Exporter {
     // Facts may bring formulas with facts of their own.
     for (std::size_t i = 0; i < facts_.size(); ++i) add_fact(facts_[i]);
     add_generators();
+    add_scales();
     return std::move(result_);
   }
 
@@ -218,6 +221,7 @@ class Exporter {
         result.kind = Goal::Kind::obligation;
         result.obligation = std::visit(
             [&](const auto& a) { return add(obligation(a), about, describe(a)); }, p.atom);
+        measures_.resize(result_.statement.obligations.size(), measure_of(p.atom));
         return result;
       case Proposition::Kind::all:
         result.kind = Goal::Kind::all;
@@ -248,6 +252,19 @@ class Exporter {
     return result;
   }
 
+  // Last, for scales are no part of the statement. Without one the formula itself is measured.
+  void add_scales() {
+    const std::size_t own = result_.statement.nodes.size();
+    for (const auto& [scale, unit] : measures_) {
+      auto& measure = result_.measures.emplace_back();
+      if (unit.empty() || !speaks_of(result_.statement, scale)) continue;
+      measure = {scale.is(1) ? -1 : term(scale), unit};
+    }
+    auto& nodes = result_.statement.nodes;
+    result_.further.assign(nodes.begin() + static_cast<long>(own), nodes.end());
+    nodes.resize(own);
+  }
+
   void guard_all(const Goal& g) {
     if (g.kind == Goal::Kind::obligation) {
       auto& guards = result_.statement.guards;
@@ -262,11 +279,6 @@ class Exporter {
   void add_guard(const Proposition& guard) {
     exact::require(is_conjunction(guard), "exported: a guard that is no conjunction");
     guard_all(goal(guard));
-  }
-
-  static bool is_conjunction(const Proposition& p) {
-    return p.kind == Proposition::Kind::atom ||
-           (p.kind == Proposition::Kind::all && std::ranges::all_of(p.parts, is_conjunction));
   }
 
   void add_fact(Fact fact) {
@@ -374,6 +386,7 @@ class Exporter {
   std::vector<Fact> facts_;
   symbolic::Atoms atoms_;
   Angles angles_;
+  std::vector<symbolic::Measure> measures_;
   std::set<std::string> used_;
   std::map<std::size_t, std::vector<int>> buckets_;
 };

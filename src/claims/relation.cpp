@@ -143,7 +143,8 @@ Proposition Stating::compare(const Expression& at, const Value& left,
     if (inside_absolute(*b.as<Scalar>()) && (op == ">" || op == ">="))
       return compare(at, b, op == ">" ? "<" : "<=", a, context, true);
     const Constraint c = compared(*a.as<Scalar>(), op, *b.as<Scalar>(), context, at);
-    return holds(c.formula, c.relation, context, at);
+    return measured(holds(c.formula, c.relation, context, at), c,
+                    "the difference of the sides");
   }
   const auto *p = a.as<geometry::Patch>(), *q = b.as<geometry::Patch>();
   if (p && q) {

@@ -159,6 +159,11 @@ class Stating {
                                                const Expression& at);
 };
 
+/// What is stated of the formula of a comparison is measured by the difference of its sides.
+Proposition measured(Proposition, const symbolic::Constraint&, const std::string& unit);
+/// What is measured, in units of this size.
+Proposition in_units(Proposition, const Formula& size, const std::string& unit);
+
 /// The numbers that a printed decimal is a correct rounding of: half a unit of its last digit
 /// to either side.
 std::pair<exact::Rational, exact::Rational> printed_range(const Expression& printed);

@@ -21,6 +21,7 @@ void print_outcome(const char* heading, const report::Outcome& outcome) {
               << (o.guard ? " (guard)" : "");
     if (!o.about.empty()) std::cout << "  " << o.about;
     std::cout << "\n     " << o.text << "\n     " << o.evidence << "\n";
+    if (!o.slack.empty()) std::cout << "     slack " << report::in_words(o.slack) << "\n";
   }
 }
 
@@ -34,6 +35,9 @@ int explain(const std::string& file, const std::string& id, const VerifyOptions&
   for (const std::string& comment : claim.comments) std::cout << "  # " << comment << "\n";
   print_outcome("statement", claim.printed);
   if (claim.corrected) print_outcome("corrected", *claim.corrected);
+  for (const report::WarningRun& warning : verified.run.warnings)
+    if (warning.claim == id)
+      std::cout << "warning: " << warning.message << " [" << warning.rule << "]\n";
   for (const std::string& used : claim.using_claims)
     std::cout << "rests on " << used << ": "
               << report::word(find(verified.run, used).printed.verdict) << "\n";

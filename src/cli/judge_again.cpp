@@ -144,8 +144,10 @@ void withdraw(report::Outcome& outcome, const std::string& objection) {
   outcome.detail = "the verdict of the results is not borne out";
   outcome.witness.clear();
   outcome.method.clear();
-  for (report::ObligationRun& obligation : outcome.obligations)
+  for (report::ObligationRun& obligation : outcome.obligations) {
     obligation.status = report::ObligationRun::Status::open;
+    obligation.slack = {};
+  }
   if (outcome.alarm.empty()) outcome.alarm = objection;
 }
 

@@ -7,7 +7,9 @@
 #include "check/judge.h"
 #include "claims/latex.h"
 #include "cli/formulas.h"
+#include "cli/obligation_text.h"
 #include "cli/refutation.h"
+#include "cli/slack.h"
 
 namespace seam::cli {
 namespace {
@@ -137,7 +139,8 @@ Decided judged(const claims::Lowered& lowered, const claims::Expression& stateme
     if (denied.contains(static_cast<int>(i)))
       run.about += run.about.empty() ? "shown if this fails" : ", shown if this fails";
     run.kind = kind_of(claimed.obligations[i]);
-    run.text = readable(lowered.exported->text[i]);
+    run.text = obligation_text(claimed.obligations[i], formulas);
+    if (run.text.empty()) run.text = readable(lowered.exported->text[i]);
     run.guard = std::ranges::find(claimed.guards, static_cast<int>(i)) != claimed.guards.end();
     run.status = static_cast<report::ObligationRun::Status>(finding.kind);
     run.evidence = summary.line;
@@ -153,6 +156,7 @@ Decided judged(const claims::Lowered& lowered, const claims::Expression& stateme
   if (outcome.verdict == Verdict::refuted)
     outcome.witness = witness_of(claimed, result.evidence, judgement, *lowered.exported,
                                  formulas, normal_form);
+  add_slacks(outcome, *lowered.exported);
   if (outcome.verdict != Verdict::undecided) return result;
 
   // The prover says best why it found nothing; else a guard failed, or the checker gave up.
@@ -170,7 +174,8 @@ Decided judged(const claims::Lowered& lowered, const claims::Expression& stateme
   for (const auto& run : outcome.obligations)
     if (run.guard && run.status == report::ObligationRun::Status::fails) {
       outcome.detail = "what the claim rests on does not hold: " +
-                       (run.about.empty() ? run.text : run.about);
+                       (run.about.empty() ? "" : run.about + ": ") + run.text + " (" +
+                       run.evidence + ")";
       break;
     }
   return result;

@@ -14,6 +14,7 @@
 #include "cli/files.h"
 #include "cli/supervisor.h"
 #include "cli/true_digits.h"
+#include "cli/warnings.h"
 #include "draw/figure_marks.h"
 #include "symbolic/second_opinion.h"
 
@@ -305,6 +306,7 @@ Verified verify(const std::filesystem::path& file, const VerifyOptions& options,
     }
   }
   result.certificates = std::move(assembly.certificates);
+  result.run.warnings = warnings_of(file, meaning, result.run);
   add_true_digits(result, meaning, file, options);
   draw::mark_refutations(result.run, meaning);
   return result;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <iostream>
 
 #include "claims/ids.h"
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "cli/interrupts.h"
 #include "cli/progress.h"
+#include "report/terminal.h"
 
 namespace seam::cli {
 namespace fs = std::filesystem;
@@ -77,6 +79,7 @@ int verify_files(const std::vector<std::string>& arguments, const VerifyOptions&
     run.files.push_back(std::move(verified.run));
   }
   write_run(run, outputs);
+  if (!outputs.quiet) std::cerr << report::warnings(run);
   tell_alarms(run);
   return report::exit_status(run, outputs.allow_undecided);
 }

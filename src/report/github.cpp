@@ -93,6 +93,10 @@ std::string github_annotations(const Run& run, bool allow_undecided) {
       lines += command("error", file, error.included, error.line, error.column,
                        "error in a claim file",
                        error.message + (error.hint.empty() ? "" : "; " + error.hint));
+    for (const WarningRun& warning : file.warnings)
+      lines +=
+          command("notice", file, warning.included, warning.line, warning.column, warning.rule,
+                  warning.message + (warning.hint.empty() ? "" : "; " + warning.hint));
     for (const ClaimRun* claim : claims(file)) {
       const Concern what = concern(*claim);
       if (what == Concern::none) continue;

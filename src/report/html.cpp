@@ -13,6 +13,7 @@
 #include "report/html_figure.h"
 #include "report/html_front.h"
 #include "report/html_parts.h"
+#include "report/html_warnings.h"
 
 namespace seam::report {
 namespace {
@@ -111,6 +112,7 @@ std::string contents(const FileRun& file) {
   const Errata wrong = errata(file);
   if (!wrong.known.empty()) add("errata", errata_known_title);
   if (!wrong.others.empty()) add("refuted", errata_others_title);
+  if (!file.warnings.empty()) add("warnings", warnings_title);
   int number = 0;
   for (const ItemRun& item : file.items)
     if (const auto* section = std::get_if<SectionRun>(&item))
@@ -129,7 +131,7 @@ std::string body(const FileRun& file, const Run& run) {
   return html_element("a class=\"skip\" href=\"#claims\"", "Skip to the claims") + "\n" +
          html_header(file, run) + contents(file) +
          html_element("main",
-                      "\n" + html_summary(file) + html_errata(file) +
+                      "\n" + html_summary(file) + html_errata(file) + html_warnings(file) +
                           html_element("div id=\"claims\"", "\n" + controls() + items(file)) +
                           "\n" + html_assumptions(file) + html_glossary(file)) +
          "\n";

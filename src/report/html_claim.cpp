@@ -8,7 +8,7 @@
 namespace seam::report {
 namespace {
 
-constexpr std::size_t longest_obligation = 700;  // bytes; beyond, the certificate has it
+constexpr std::size_t longest_obligation = 300;  // bytes; beyond, it is folded away
 constexpr std::size_t most_evidence = 3;         // different lines of evidence of a group
 
 std::string evidence_of(const ObligationGroup& group) {
@@ -29,12 +29,16 @@ std::string html_group(const ObligationGroup& group) {
     words +=
         " " + html_element("span class=\"quiet\"", "(so that the formulas mean something)");
   words += evidence_of(group);
+  if (!first.slack.empty() && group.count == 1)
+    words += " " + html_element("span class=\"quiet\"",
+                                "slack " + html_escape(in_words(first.slack)));
   if (group.count > 1)
     words += " " + html_element("span class=\"quiet\"", "— " + std::to_string(group.count) +
                                                             " of this kind, the first:");
   const std::string& shown = first.latex.empty() ? first.text : first.latex;
   if (shown.size() > longest_obligation)
-    words += html_element("p class=\"quiet\"", "its formula is long; the certificate holds it");
+    words += html_element("details", html_element("summary", "its formula, which is long") +
+                                         html_element("pre", html_escape(shown)));
   else if (!first.latex.empty())
     words += html_formula(first.latex);
   else if (!first.text.empty())
@@ -76,6 +80,11 @@ std::string reason(const Outcome& outcome) {
   return html_escape(text);
 }
 
+std::string slack(const Outcome& outcome) {
+  const ObligationRun* closest = closest_to_failing(outcome);
+  return closest ? html_escape(in_words(closest->slack)) : "";
+}
+
 std::string html_outcome(const Outcome& outcome, const std::vector<std::string>& definitions) {
   const std::string alarm =
       outcome.alarm.empty()
@@ -85,7 +94,8 @@ std::string html_outcome(const Outcome& outcome, const std::vector<std::string>&
   return html_formula(outcome.latex) +
          html_terms({{"alarm", alarm},
                      {"witness", html_witness(outcome.witness)},
-                     {"reason", reason(outcome)}}) +
+                     {"reason", reason(outcome)},
+                     {"slack", slack(outcome)}}) +
          folded(outcome, definitions);
 }
 

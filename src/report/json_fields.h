@@ -13,6 +13,15 @@ namespace seam::report {
 template <typename T, typename Plain>
 concept Some = std::same_as<std::remove_const_t<T>, Plain>;
 
+template <typename Archive, Some<Slack> T>
+void fields(Archive& archive, T& slack) {
+  archive("low", slack.low);
+  archive("high", slack.high);
+  archive("at", slack.at);
+  archive("of", slack.of);
+  archive("unknown", slack.unknown);
+}
+
 template <typename Archive, Some<ObligationRun> T>
 void fields(Archive& archive, T& obligation) {
   archive("about", obligation.about);
@@ -22,6 +31,7 @@ void fields(Archive& archive, T& obligation) {
   archive("guard", obligation.guard);
   archive("status", obligation.status);
   archive("evidence", obligation.evidence);
+  archive("slack", obligation.slack);
 }
 
 /// What a statement and a claim have beside the keys of the contract.
@@ -113,6 +123,17 @@ void fields(Archive& archive, T& error) {
   archive("column", error.column);
 }
 
+template <typename Archive, Some<WarningRun> T>
+void fields(Archive& archive, T& warning) {
+  archive("rule", warning.rule);
+  archive("claim", warning.claim);
+  archive("message", warning.message);
+  archive("hint", warning.hint);
+  archive("included", warning.included);
+  archive("line", warning.line);
+  archive("column", warning.column);
+}
+
 template <typename Archive, Some<TableRun::Row> T>
 void fields(Archive& archive, T& row) {
   archive("label", row.label);
@@ -135,6 +156,7 @@ void fields(Archive& archive, T& file) {
   archive("source", file.source);
   archive("year", file.year);
   archive("errors", file.errors);
+  archive("warnings", file.warnings);
 }
 
 }  // namespace seam::report

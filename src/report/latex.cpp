@@ -11,6 +11,7 @@
 #include "report/latex_front.h"
 #include "report/latex_macro.h"
 #include "report/latex_table.h"
+#include "report/latex_warnings.h"
 #include "report/mathematics.h"
 #include "report/style.h"
 
@@ -94,7 +95,7 @@ std::string latex(const Run& run) {
             "}\n\\begin{document}\n";
   for (const FileRun& file : run.files) {
     if (&file != run.files.data()) result += "\\clearpage\n";
-    result += latex_front(file, run) + latex_errata(file);
+    result += latex_front(file, run) + latex_errata(file) + latex_warnings(file);
     for (const ItemRun& item : file.items)
       result += std::visit([](const auto& it) { return latex_item(it); }, item);
     result += latex_assumptions(file);

@@ -80,6 +80,8 @@ std::string latex_outcome(const Outcome& outcome,
     result += latex_call("SeamLine", {"witness", escape(readable_witness(outcome.witness))});
   const std::string reason = joined({escape(outcome.reason), escape(outcome.detail)}, ": ");
   if (!reason.empty()) result += latex_call("SeamLine", {"reason", reason});
+  if (const ObligationRun* closest = closest_to_failing(outcome))
+    result += latex_call("SeamTrace", {"slack " + escape(in_words(closest->slack))});
   return result + latex_obligations(outcome.obligations) + latex_trace(outcome, using_claims);
 }
 

@@ -16,6 +16,18 @@ namespace seam::report {
 
 using certificate::Verdict;
 
+/// By how much an inequality that was proven holds: the least value of what is measured lies
+/// between two decimals, rounded outward. Certain, but shown by no certificate.
+struct Slack {
+  std::string low;
+  std::string high;     ///< empty: no point was found that is certain to lie in the domain
+  std::string at;       ///< where it is `high` at most: `u = 1/2`; empty: of a number
+  std::string of;       ///< `the difference of the sides`; empty: the formula itself
+  std::string unknown;  ///< why it was not computed
+
+  bool empty() const { return low.empty() && unknown.empty(); }
+};
+
 /// One obligation that a statement was turned into, as the checker left it.
 struct ObligationRun {
   enum class Status { holds, fails, open };
@@ -26,6 +38,7 @@ struct ObligationRun {
   bool guard = false;  ///< says only that the formulas mean something
   Status status = Status::open;
   std::string evidence;  ///< in a line: `subdivision, 37 pieces`
+  Slack slack = {};      ///< of an inequality that holds
 };
 
 /// A statement and what became of it.
@@ -144,6 +157,15 @@ struct ErrorRun {
   std::string included = {};  ///< the file it stands in, if that is not the run's
 };
 
+/// What may be a slip though nothing is wrong with it. It changes no verdict.
+struct WarningRun {
+  std::string rule;   ///< `nothing-to-show`
+  std::string claim;  ///< its id; empty: about no claim
+  std::string message, hint;
+  int line = 0, column = 0;
+  std::string included = {};  ///< the file it stands in, if that is not the run's
+};
+
 struct FileRun {
   std::string file;  ///< its name without folders
   std::string paper, by, source, year;
@@ -151,6 +173,7 @@ struct FileRun {
   std::vector<ItemRun> items;  ///< in file order
   std::string path = {};       ///< as it was asked for; in no file that is made to be kept
   std::vector<ErrorRun> errors = {};
+  std::vector<WarningRun> warnings = {};
 };
 
 struct Run {
@@ -180,6 +203,15 @@ Summary summarize(const Run&);
 /// The path of the file in which something stands: the run's own, as it was asked for, or one
 /// included from its folder.
 std::string path_of(const FileRun&, const std::string& included);
+
+/// The obligation of a proven statement with the least slack above 0; none: there is none.
+const ObligationRun* closest_to_failing(const Outcome&);
+
+/// Whether the first is nearer to 0, about; both have a `high`.
+bool is_closer(const Slack&, const Slack&);
+
+/// `between 0.012 and 0.013, the latter at u = 1/2`; `0, attained at u = 0`; `1/600`.
+std::string in_words(const Slack&);
 
 /// What a claim or its correction asks of the reader.
 enum class Concern {

@@ -21,8 +21,9 @@ constexpr std::array rules = {
          "The claim is undecided or only conditional, and should be decided.", "warning"},
     Rule{"SEAM1003", "SoundnessAlarm", "The checker did not accept the evidence for the claim.",
          "error"},
-    Rule{"SEAM1004", "ErrorInFile", "The file cannot be read or does not make sense.",
-         "error"}};
+    Rule{"SEAM1004", "ErrorInFile", "The file cannot be read or does not make sense.", "error"},
+    Rule{"SEAM1005", "Warning", "What may be a slip, though no verdict depends on it.",
+         "note"}};
 
 // Of a path as an URI, relative where it is: what is not plain is written as %XX.
 std::string uri(const std::string& path) {
@@ -116,6 +117,12 @@ std::string sarif(const Run& run, bool allow_undecided) {
           "Error: " + error.message + (error.hint.empty() ? "." : "; " + error.hint + ".");
       results.push_back(result_of(
           3, message, location(path_of(file, error.included), error.line, error.column)));
+    }
+    for (const WarningRun& warning : file.warnings) {
+      const std::string message =
+          warning.message + (warning.hint.empty() ? "." : "; " + warning.hint + ".");
+      results.push_back(result_of(
+          4, message, location(path_of(file, warning.included), warning.line, warning.column)));
     }
     for (const ClaimRun* claim : claims(file))
       if (concern(*claim) != Concern::none)

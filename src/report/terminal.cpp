@@ -122,7 +122,10 @@ std::string line(const ClaimRun& claim, bool colour, Detail detail) {
     if (outcome && !outcome->alarm.empty())
       append(result, "SOUNDNESS ALARM, the checker objects: " + one_line(outcome->alarm));
   if (detail == Detail::full) append(result, how(claim));
-  return result + time(claim.seconds) + "\n";
+  result += time(claim.seconds) + "\n";
+  const ObligationRun* closest =
+      detail == Detail::full ? closest_to_failing(claim.printed) : nullptr;
+  return closest ? result + "    slack " + one_line(in_words(closest->slack)) + "\n" : result;
 }
 
 std::string line(const AskRun& ask, bool colour) {
@@ -147,6 +150,40 @@ std::string line(const Summary& summary, bool colour) {
          std::to_string(summary.as_expected) + " as expected\n";
 }
 
+namespace {
+
+// The claims that are proven with the least slack above 0.
+std::string closest(const Run& run) {
+  constexpr std::size_t most = 5;
+  std::vector<std::pair<const ObligationRun*, const ClaimRun*>> all;
+  for (const FileRun& file : run.files)
+    for (const ClaimRun* claim : claims(file))
+      if (const ObligationRun* found = closest_to_failing(claim->printed))
+        all.emplace_back(found, claim);
+  std::ranges::stable_sort(all, [](const auto& a, const auto& b) {
+    return is_closer(a.first->slack, b.first->slack);
+  });
+  if (all.size() > most) all.resize(most);
+  std::string result = all.empty() ? "" : "closest to failing:\n";
+  for (const auto& [obligation, claim] : all)
+    result += "    " + claim->id + "  slack " + one_line(in_words(obligation->slack)) + "\n";
+  return result;
+}
+
+}  // namespace
+
+std::string warnings(const Run& run) {
+  std::string result;
+  for (const FileRun& file : run.files)
+    for (const WarningRun& warning : file.warnings) {
+      result += path_of(file, warning.included) + ":" + std::to_string(warning.line) + ":" +
+                std::to_string(warning.column) + ": warning: " + one_line(warning.message) +
+                " [" + warning.rule + "]\n";
+      if (!warning.hint.empty()) result += "  hint: " + one_line(warning.hint) + "\n";
+    }
+  return result;
+}
+
 std::string terminal(const Run& run, bool colour, Detail detail) {
   std::string result;
   for (const FileRun& file : run.files)
@@ -158,6 +195,7 @@ std::string terminal(const Run& run, bool colour, Detail detail) {
         for (const TableRun::Row& row : table->rows)
           for (const ClaimRun& cell : row.cells) result += line(cell, colour, detail);
     }
+  if (detail == Detail::full) result += closest(run);
   return result + line(summarize(run), colour);
 }
 

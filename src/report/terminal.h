@@ -7,8 +7,8 @@
 
 namespace seam::report {
 
-/// `full`: of each claim also the methods, the number of obligations, and whether evidence was
-/// searched for or stored by an earlier run.
+/// `full`: of each claim also the methods, the number of obligations, whether evidence was
+/// searched for or stored by an earlier run, and the least slack.
 enum class Detail { brief, full };
 
 enum class Colour { automatic, always, never };
@@ -27,8 +27,12 @@ std::string line(const AskRun&, bool colour);
 /// `61 claims: 55 proven, 6 refuted, 0 conditional, 0 undecided; 61 as expected`.
 std::string line(const Summary&, bool colour);
 
-/// The lines of all claims and questions in file order, then the summary.
+/// The lines of all claims and questions in file order; if `full`, the claims with the least
+/// slack; then the summary.
 std::string terminal(const Run&, bool colour, Detail = Detail::brief);
+
+/// `a.seam:3:7: warning: sentence [rule]`, and a hint, of each warning.
+std::string warnings(const Run&);
 
 /// `✓`, `✗`, `◐`, `?`.
 const char* shape(Verdict);

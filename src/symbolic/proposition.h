@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -33,14 +34,24 @@ Simplex whole_line_left(const std::string& variable, const Formula& to,
 /// u, v >= 0, u + v <= 1 (and likewise for more variables); `interior`: without the boundary.
 Simplex standard_simplex(const std::vector<std::string>& variables, bool interior = false);
 
+/// `scale`: what the difference of the sides of a comparison was multiplied by, which is > 0
+/// where it is spoken of; none: the formula does not come of one.
 struct Constraint {
   Formula formula;
   Relation relation;
+  std::optional<Formula> scale = {};
 };
 
 struct Domain {
   std::vector<Simplex> factors;
   std::vector<Constraint> where;
+};
+
+/// What one is of a formula, for people: `formula = scale * (what is measured, in units of
+/// `unit`)`, with scale > 0 on the domain.
+struct Measure {
+  Formula scale = 1;
+  std::string unit;  ///< empty: nothing but the formula itself
 };
 
 /// Identically zero in all its variables.
@@ -52,6 +63,7 @@ struct Sign {
   Formula formula;
   Relation relation;
   Domain domain;
+  Measure measure = {};
 };
 struct Solutions {
   std::vector<Formula> system;

@@ -8,6 +8,7 @@
 #include "report/github.h"
 #include "report/junit.h"
 #include "report/sarif.h"
+#include "report/terminal.h"
 #include "sample.h"
 #include "well_formed.h"
 
@@ -41,6 +42,24 @@ ClaimRun with_alarm() {
   ClaimRun result = claim("alarm", Verdict::undecided);
   result.printed.alarm = "zero: not this one";
   return result;
+}
+
+TEST(CiFormats, a_warning_is_a_note_and_changes_no_exit_status) {
+  report::Run run = run_of({claim("a", Verdict::proven)});
+  run.files[0].warnings = {
+      {"same-sides", "a", "both sides are the same", "it holds anyway", 7, 9}};
+  EXPECT_EQ(exit_status(run), 0);
+  EXPECT_TRUE(
+      holds(github_annotations(run, false),
+            "::notice file=some folder/a.seam,line=7,col=9,title=same-sides::both sides "
+            "are the same; it holds anyway\n"));
+  const auto log = nlohmann::json::parse(sarif(run, false));
+  const auto& result = log["runs"][0]["results"][0];
+  EXPECT_EQ(result["level"], "note");
+  EXPECT_EQ(result["ruleId"], "SEAM1005");
+  EXPECT_EQ(warnings(run),
+            "some folder/a.seam:7:9: warning: both sides are the same [same-sides]\n"
+            "  hint: it holds anyway\n");
 }
 
 TEST(CiFormats, a_claim_asks_for_attention_as_the_exit_status_says) {

@@ -77,6 +77,9 @@ ClaimRun convex() {
                                        false, Status::holds, "counted"});
   claim.printed.obligations.push_back(
       {"", "sign", "\\sqrt{5} \\ne 0", "", true, Status::holds, "enclosure"});
+  claim.printed.obligations[35].slack = {"0.0123", "0.0125", "u = 1/2, v = 0",
+                                         "the difference of the sides", ""};
+  claim.printed.obligations[36].slack = {"", "", "", "", "its formula is long"};
   claim.using_claims = {"icosahedral.smooth", "lemma_1"};
   claim.printed.certificate = "certificates/S.convex.json";
   return claim;
@@ -204,6 +207,8 @@ Run sample() {
       AskRun{"K_max", "\\max_{S} K", "max(gauss(S))", "1.250000000000000000000000000000", "5/4",
              "", 0.3},
       AskRun{"K_min", "\\min_{S} K", "min(gauss(S))", "", "", "effort: no enclosure", 0.3}};
+  file.warnings = {
+      {"unused-definition", "", "'q_1' is never used", "no claim speaks of it", 3, 5}};
   return {"seamproof 0.1.0", {file}};
 }
 

@@ -90,5 +90,37 @@ TEST(Terminal, NO_COLOR_counts_unless_colour_is_asked_for) {
   EXPECT_FALSE(wants_colour(Colour::never, true, nullptr));
 }
 
+ClaimRun with_slacks(std::vector<Slack> slacks) {
+  ClaimRun claim;
+  claim.id = "a";
+  claim.printed.verdict = Verdict::proven;
+  for (Slack& slack : slacks) {
+    claim.printed.obligations.emplace_back();
+    claim.printed.obligations.back().slack = std::move(slack);
+  }
+  return claim;
+}
+
+TEST(Terminal, the_least_slack_above_0_is_shown_in_full_detail) {
+  const ClaimRun claim =
+      with_slacks({{"0", "0", "u = 0", "", ""},
+                   {"0.5", "0.6", "u = 1", "", ""},
+                   {"0.0123", "0.0125", "u = 1/2", "the difference of the sides", ""},
+                   {"", "", "", "", "its formula is long"}});
+  const std::string shown = line(claim, false, Detail::full);
+  EXPECT_NE(shown.find("slack between 0.0123 and 0.0125, the latter at u = 1/2 (the difference "
+                       "of the sides)\n"),
+            std::string::npos)
+      << shown;
+  EXPECT_EQ(line(claim, false).find("slack"), std::string::npos);
+}
+
+TEST(Terminal, a_slack_is_said_in_words) {
+  EXPECT_EQ(in_words({"0", "0", "u = 0", "", ""}), "0, attained at u = 0");
+  EXPECT_EQ(in_words({"1/600", "1/600", "", "", ""}), "1/600");
+  EXPECT_EQ(in_words({"0.1", "", "", "", ""}), "0.1 or more");
+  EXPECT_EQ(in_words({"", "", "", "", "it is long"}), "not computed: it is long");
+}
+
 }  // namespace
 }  // namespace seam::report

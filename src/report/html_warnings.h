@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "report/run.h"
+
+namespace seam::report {
+
+inline constexpr const char* warnings_title = "Warnings";
+
+/// What may be a slip, or nothing where there is none.
+std::string html_warnings(const FileRun&);
+
+}  // namespace seam::report
