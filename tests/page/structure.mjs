@@ -68,7 +68,7 @@ export const structure = [
         assert.ok(await claim.isVisible());
         const details = claim.locator("details");
         if ((await details.count()) === 0) continue;
-        await details.first().locator("summary").click();
+        await details.first().locator("> summary").click();
         assert.ok(await details.first().locator("li").first().isVisible());
       }
     },
